@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "groundgrid/config.hpp"
+#include "groundgrid/label.hpp"
+#include "groundgrid/scan.hpp"
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid {
+
+/// What process() answers. Element i belongs to input point i; with several sensors the points
+/// of the first scan come first, then those of the second, and so on. The spans live until the
+/// next process() or reset() of the same object.
+struct ScanResult {
+  std::span<const Label> labels;
+  /// Metres above the estimated terrain; NaN where the label is unknown.
+  std::span<const float> height_above_ground;
+  std::size_t ground = 0;
+  std::size_t obstacle = 0;
+  std::size_t outlier = 0;
+  std::size_t unknown = 0;
+  /// Height of the first sensor above the ground in use, metres.
+  double sensor_height_m = 0.0;
+  /// True where sensor_height_m was estimated from a scan and not given.
+  bool sensor_height_estimated = false;
+  /// True where the pose jumped by more than Config::pose_jump_m and the map was started anew.
+  bool map_restarted = false;
+};
+
+/// Where process() shall write instead of into the object's own buffers: one element per input
+/// point of all scans together.
+struct ScanOutput {
+  std::span<Label> labels;
+  std::span<float> height_above_ground;
+};
+
+/// Ground segmentation and terrain estimation for one vehicle: GroundGrid (Steinke, Goehring,
+/// Rojas, RA-L 2024). Scans and poses go in; labels come out and a rolling elevation map stays.
+///
+/// Frames: base is the vehicle's frame, x forward, z up; map has z against gravity. T_a_b takes
+/// coordinates of b into a. Two objects share nothing and may run in two threads; one object is
+/// for one thread at a time. Labels and terrain are the same bits for any number of threads and
+/// any order of the points. Once warm, process() allocates nothing.
+class GroundGrid {
+ public:
+  /// Throws std::invalid_argument where config.validate() does.
+  explicit GroundGrid(const Config& config = {});
+  ~GroundGrid();
+  GroundGrid(GroundGrid&&) noexcept;
+  GroundGrid& operator=(GroundGrid&&) noexcept;
+  GroundGrid(const GroundGrid&) = delete;
+  GroundGrid& operator=(const GroundGrid&) = delete;
+
+  /// Takes one scan. Throws std::invalid_argument where a pose is not finite or not rigid or a
+  /// view's offsets do not fit its stride; the map is untouched then.
+  ScanResult process(const SensorScan& scan,
+                     const Eigen::Isometry3d& T_map_base = Eigen::Isometry3d::Identity());
+
+  /// Takes the scans of several sensors at one pose.
+  ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base);
+
+  /// Takes scans that are not motion-corrected: every point is moved by the pose interpolated at
+  /// its time between the scan's time_begin and time_end. The map follows T_map_base_end.
+  ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
+                     const Eigen::Isometry3d& T_map_base_end);
+
+  /// The same, written into the caller's spans, which the result then points to. Throws
+  /// std::invalid_argument where their lengths are not the number of points.
+  ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
+                     const Eigen::Isometry3d& T_map_base_end, const ScanOutput& output);
+
+  /// Forgets the map, the lattice's anchor and the estimated sensor height.
+  void reset();
+
+  /// The map as it stands after the last scan; size 0 before the first.
+  [[nodiscard]] TerrainView terrain() const;
+
+  [[nodiscard]] const Config& config() const;
+
+ private:
+  class Pipeline;
+  std::unique_ptr<Pipeline> pipeline_;
+};
+
+/// Height of a level sensor above the ground around it, from one scan in the sensor's frame;
+/// nothing where the scan shows no flat ground below the sensor. See docs/method.md.
+std::optional<double> estimate_sensor_height(const PointView& points);
+
+}  // namespace groundgrid
