@@ -16,7 +16,30 @@ struct TerrainCell {
   std::uint32_t points;  ///< Number of points of the last scan in the cell.
 };
 
-struct CellStatistics;
+/// Exact moments of the heights of one cell's points in one scan. Heights are whole steps of
+/// 0.1 mm above TerrainView::z_origin_m, so that sums are exact and no order of the points, no
+/// number of threads and no instruction set changes a bit (paper III-B uses Welford's method).
+struct CellStatistics {
+  static constexpr double kStep_m = 1e-4;
+
+  std::int64_t sum = 0;          ///< Sum of heights, steps.
+  std::int64_t sum_squares = 0;  ///< Sum of squared heights, steps².
+  std::int32_t min = 0;          ///< Lowest height, steps.
+  std::int32_t max = 0;          ///< Highest height, steps.
+  std::uint32_t count = 0;       ///< Number of points.
+
+  /// Mean height in metres above the origin; NaN without points.
+  [[nodiscard]] double mean_m() const {
+    return static_cast<double>(sum) / static_cast<double>(count) * kStep_m;
+  }
+  /// Population variance in m²; NaN without points.
+  [[nodiscard]] double variance_m2() const {
+    const double n = static_cast<double>(count);
+    const double mean = static_cast<double>(sum) / n;
+    const double variance = static_cast<double>(sum_squares) / n - mean * mean;
+    return (variance < 0.0 ? 0.0 : variance) * kStep_m * kStep_m;
+  }
+};
 
 /// A read-only view of the rolling map: size × size square cells, row by row, x fastest.
 /// Cell (column, row) covers [min_x_m + column·cell_size_m, …) × [min_y_m + row·cell_size_m, …)

@@ -1,0 +1,51 @@
+#include "groundgrid/config.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "groundgrid/parameters.hpp"
+
+namespace groundgrid {
+namespace {
+
+std::optional<double> value_of(const Config& config, const Parameter& parameter) {
+  if (const auto* number = std::get_if<double Config::*>(&parameter.member))
+    return config.*(*number);
+  if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
+    return config.*(*optional);
+  if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
+    return static_cast<double>(config.*(*whole));
+  return std::nullopt;
+}
+
+}  // namespace
+
+Config Config::paper() {
+  Config config;
+  config.outlier_min_depth_m = -1e6;
+  config.variance_distance_factor = 1e-5;
+  config.min_variance_threshold = 5e-5;
+  config.max_variance_threshold = 1e6;
+  config.point_angle_deg = 0.4;
+  config.expected_points_per_patch = false;
+  config.min_patch_points = 0;
+  config.known_height_weight = 1.0;
+  return config;
+}
+
+void Config::validate() const {
+  for (const Parameter& parameter : parameters()) {
+    const std::optional<double> value = value_of(*this, parameter);
+    if (!value || (*value >= parameter.min && *value <= parameter.max)) continue;
+    std::ostringstream message;
+    message << parameter.name << " = " << *value << ": must be between " << parameter.min
+            << " and " << parameter.max;
+    throw std::invalid_argument(message.str());
+  }
+  if (map_extent_m / cell_size_m > 8192.0 || map_extent_m < 9.0 * cell_size_m)
+    throw std::invalid_argument(
+        "map_extent_m: the map must be 9 to 8192 cells wide; choose another cell_size_m");
+}
+
+}  // namespace groundgrid

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "groundgrid/config.hpp"
+
+namespace groundgrid {
+
+/// A plane z(x, y) in the map frame, e.g. the ground plane under the vehicle.
+struct Plane {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  double slope_x = 0.0;
+  double slope_y = 0.0;
+
+  [[nodiscard]] double height_at(double px, double py) const {
+    return z + slope_x * (px - x) + slope_y * (py - y);
+  }
+};
+
+/// The rolling elevation map: what is known of the ground around the vehicle (paper III, intro).
+///
+/// A square window of size × size cells on a lattice that is anchored once; the window follows
+/// the vehicle by whole cells and keeps what it knows. Inside the core everything is measured in
+/// the window frame: metres from the outer corner of cell (0, 0), and heights above a z origin
+/// near the vehicle, so that single precision is enough wherever on Earth the drive is.
+class ElevationMap {
+ public:
+  explicit ElevationMap(const Config& config);
+
+  [[nodiscard]] bool started() const { return started_; }
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] std::size_t cells() const { return height_.size(); }
+  [[nodiscard]] double cell_size() const { return cell_size_; }
+
+  /// Sets every cell to the plane, with no confidence, and anchors the lattice if it is not yet.
+  void start(const Plane& ground);
+
+  /// Moves the window so that the plane's centre lies in its middle cell. Cells that come in take
+  /// the plane's height and no confidence.
+  void follow(const Plane& ground);
+
+  /// Forgets the anchor too.
+  void reset() { started_ = anchored_ = false; }
+
+  /// Map frame coordinates of the window's corner and of height 0.
+  [[nodiscard]] double min_x() const { return anchor_x_ + corner_x(); }
+  [[nodiscard]] double min_y() const { return anchor_y_ + corner_y(); }
+  [[nodiscard]] double z_origin() const { return z_origin_; }
+
+  /// Map to window frame. The anchor goes first: a world moved by a vector that is exact in
+  /// double then gives the same bits.
+  [[nodiscard]] double window_x(double x) const { return (x - anchor_x_) - corner_x(); }
+  [[nodiscard]] double window_y(double y) const { return (y - anchor_y_) - corner_y(); }
+  [[nodiscard]] double window_z(double z) const { return z - z_origin_; }
+
+  [[nodiscard]] std::vector<float>& height() { return height_; }
+  [[nodiscard]] const std::vector<float>& height() const { return height_; }
+  [[nodiscard]] std::vector<float>& confidence() { return confidence_; }
+  [[nodiscard]] const std::vector<float>& confidence() const { return confidence_; }
+
+ private:
+  [[nodiscard]] double corner_x() const {
+    return (static_cast<double>(first_column_) - 0.5) * cell_size_;
+  }
+  [[nodiscard]] double corner_y() const {
+    return (static_cast<double>(first_row_) - 0.5) * cell_size_;
+  }
+  [[nodiscard]] std::int64_t lattice_cell(double metres) const {
+    return std::llround(std::floor(metres / cell_size_ + 0.5));
+  }
+  void anchor(const Plane& ground);
+  void shift(std::int64_t columns, std::int64_t rows);
+  void fill(int column_begin, int column_end, int row_begin, int row_end, const Plane& ground);
+  void move_z_origin(double z);
+
+  int size_;
+  double cell_size_;
+  std::optional<double> fixed_anchor_x_;
+  std::optional<double> fixed_anchor_y_;
+  bool started_ = false;
+  bool anchored_ = false;
+  double anchor_x_ = 0.0;
+  double anchor_y_ = 0.0;
+  double z_origin_ = 0.0;
+  std::int64_t first_column_ = 0;  // lattice cell of the window's column 0
+  std::int64_t first_row_ = 0;
+  std::vector<float> height_;
+  std::vector<float> confidence_;
+};
+
+/// Cells on each side of the vehicle's: the odd size puts the vehicle in the middle cell.
+int window_half_size(const Config& config);
+
+}  // namespace groundgrid

@@ -1,0 +1,116 @@
+// Classification of ground cells, paper III-C, and the patch sums that III-D shares with it.
+#include "core/ground_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace groundgrid {
+namespace {
+
+constexpr std::size_t kCellsPerTile = 1024;
+
+std::size_t tiles_of(std::size_t cells) { return (cells + kCellsPerTile - 1) / kCellsPerTile; }
+
+}  // namespace
+
+double variance_threshold(double distance_m, const Config& config) {
+  return std::clamp(config.variance_distance_factor * distance_m, config.min_variance_threshold,
+                    std::max(config.min_variance_threshold, config.max_variance_threshold));
+}
+
+double expected_points(double distance_m, const Config& config) {
+  const double degrees = std::atan2(config.cell_size_m, distance_m) * 180.0 / std::numbers::pi;
+  return degrees / config.point_angle_deg;
+}
+
+float SensorPositions::distance_to(float x, float y) const {
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const Point3f& sensor : sensors) {
+    const float dx = x - sensor.x;
+    const float dy = y - sensor.y;
+    nearest = std::min(nearest, dx * dx + dy * dy);
+  }
+  return std::sqrt(nearest);
+}
+
+GroundCells::GroundCells(std::size_t cells) : weighted_(cells), is_ground_(cells) {
+  summarised_.reserve(cells);
+  cells_.reserve(cells);
+}
+
+void GroundCells::summarise(const ScanGrid& grid, TileRunner& runner) {
+  for (const std::uint32_t cell : summarised_) {
+    weighted_[cell] = Weighted{};
+    is_ground_[cell] = 0;
+  }
+  summarised_ = grid.occupied;
+  cells_.assign(grid.occupied.size(), GroundCell{});
+  runner.parallel_for_tiles(tiles_of(grid.occupied.size()), [&](std::size_t tile) {
+    const std::size_t end = std::min((tile + 1) * kCellsPerTile, grid.occupied.size());
+    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) {
+      const CellStatistics& cell = grid.statistics[grid.occupied[i]];
+      const auto points = static_cast<float>(cell.count);
+      const auto variance = static_cast<float>(cell.variance_m2());
+      const float min_height =
+          static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
+      weighted_[grid.occupied[i]] = {points, points * min_height, points * variance, variance};
+    }
+  });
+}
+
+GroundCells::Weighted GroundCells::sum_patch(int column, int row, int half, int size) const {
+  Weighted sum;
+  const int x_begin = std::max(column - half, 0);
+  const int x_end = std::min(column + half, size - 1);
+  for (int y = std::max(row - half, 0); y <= std::min(row + half, size - 1); ++y) {
+    for (int x = x_begin; x <= x_end; ++x) {
+      const Weighted& cell = weighted_[static_cast<std::size_t>(y * size + x)];
+      sum.points += cell.points;
+      sum.min_height += cell.min_height;
+      sum.variance += cell.variance;
+    }
+  }
+  return sum;
+}
+
+void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
+                           const SensorPositions& sensors, const Config& config,
+                           TileRunner& runner) {
+  summarise(grid, runner);
+  const int size = map.size();
+  const auto cell_size = static_cast<float>(map.cell_size());
+  const auto classify_cell = [&](std::size_t i) {
+    const std::uint32_t cell = grid.occupied[i];
+    const int row = static_cast<int>(cell) / size;
+    const int column = static_cast<int>(cell) % size;
+    const double distance = static_cast<double>(
+        sensors.distance_to((static_cast<float>(column) + 0.5F) * cell_size,
+                            (static_cast<float>(row) + 0.5F) * cell_size));
+    const int half = distance < config.patch_change_distance_m ? 1 : 2;
+    const Weighted patch = sum_patch(column, row, half, size);
+    const Weighted& own = weighted_[cell];
+
+    GroundCell& answer = cells_[i];
+    answer.patch_points = patch.points;
+    answer.patch_elevation = patch.min_height / patch.points;
+    const bool own_variance_counts =
+        own.points >= static_cast<float>(config.own_variance_min_points);
+    answer.variance = own_variance_counts ? own.own_variance : patch.variance / patch.points;
+
+    const double expected = expected_points(distance, config) *
+                            (config.expected_points_per_patch ? 2 * half + 1 : 1);
+    const float seen = config.expected_points_per_patch ? patch.points : own.points;
+    answer.observed = static_cast<double>(seen) >= config.min_point_fraction * expected &&
+                      patch.points >= static_cast<float>(config.min_patch_points);
+    answer.ground = answer.observed &&
+                    static_cast<double>(answer.variance) < variance_threshold(distance, config);
+    is_ground_[cell] = answer.ground ? 1 : 0;
+  };
+  runner.parallel_for_tiles(tiles_of(grid.occupied.size()), [&](std::size_t tile) {
+    const std::size_t end = std::min((tile + 1) * kCellsPerTile, grid.occupied.size());
+    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) classify_cell(i);
+  });
+}
+
+}  // namespace groundgrid

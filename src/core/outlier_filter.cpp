@@ -1,0 +1,100 @@
+// Outlier filtering by line of sight, paper III-A.
+#include "core/outlier_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace groundgrid {
+namespace {
+
+constexpr std::size_t kPointsPerTile = 4096;
+
+/// Walks along one axis of the grid: where the ray enters the next cell, in shares of its length.
+struct AxisWalk {
+  int cell;
+  int last;
+  int step;
+  double next;
+  double per_cell;
+
+  AxisWalk(double from, double to, double cell_size) {
+    cell = static_cast<int>(std::floor(from / cell_size));
+    last = static_cast<int>(std::floor(to / cell_size));
+    step = to > from ? 1 : -1;
+    const double length = std::abs(to - from);
+    const double border = (cell + (step > 0 ? 1 : 0)) * cell_size;
+    next = cell == last ? std::numeric_limits<double>::infinity()
+                        : std::abs(border - from) / length;
+    per_cell = cell_size / length;
+  }
+
+  void advance() {
+    cell += step;
+    next = cell == last ? std::numeric_limits<double>::infinity() : next + per_cell;
+  }
+};
+
+float confidence_around(const ElevationMap& map, int column, int row) {
+  float sum = 0.0F;
+  for (int y = std::max(row - 2, 0); y <= std::min(row + 2, map.size() - 1); ++y)
+    for (int x = std::max(column - 2, 0); x <= std::min(column + 2, map.size() - 1); ++x)
+      sum += map.confidence()[static_cast<std::size_t>(y * map.size() + x)];
+  return sum;
+}
+
+}  // namespace
+
+bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
+                       const Config& config) {
+  const double cell_size = map.cell_size();
+  AxisWalk x(static_cast<double>(sensor.x), static_cast<double>(point.x), cell_size);
+  AxisWalk y(static_cast<double>(sensor.y), static_cast<double>(point.y), cell_size);
+  const double z_begin = static_cast<double>(sensor.z);
+  const double drop = static_cast<double>(point.z) - z_begin;
+  double entry_z = z_begin;
+  while (x.cell != x.last || y.cell != y.last) {
+    const double leave = std::min(x.next, y.next);
+    const double exit_z = z_begin + std::min(leave, 1.0) * drop;
+    if (x.cell >= 0 && x.cell < map.size() && y.cell >= 0 && y.cell < map.size()) {
+      const double surface = static_cast<double>(
+          map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
+      // The confidence comes last: few rays ever dip below the surface.
+      if (surface - std::min(entry_z, exit_z) > config.outlier_tolerance_m &&
+          static_cast<double>(confidence_around(map, x.cell, y.cell)) >=
+              config.outlier_min_confidence)
+        return false;
+    }
+    entry_z = exit_z;
+    if (x.next <= y.next)
+      x.advance();
+    else
+      y.advance();
+  }
+  return true;
+}
+
+void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Config& config,
+                     const BinnedPoints& bins, TileRunner& runner, std::span<Label> labels) {
+  const auto step = static_cast<float>(CellStatistics::kStep_m);
+  const auto min_depth = static_cast<float>(config.outlier_min_depth_m);
+  const auto filter_tile = [&](std::size_t tile) {
+    const std::size_t begin = tile * kPointsPerTile;
+    const std::size_t end = std::min(begin + kPointsPerTile, pass.points.count);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t index = pass.first + i;
+      labels[index] = Label::unknown;
+      const std::uint32_t cell = bins.cell[index];
+      if (cell == BinnedPoints::kNoCell) continue;
+      const float depth = map.height()[cell] - static_cast<float>(bins.z[index]) * step;
+      if (depth < min_depth) continue;
+      const PointTransform T_window_sensor = pass.trajectory.at(pass.points, i);
+      const Point3f point = T_window_sensor.apply(load_point(pass.points, i));
+      if (!has_line_of_sight(map, T_window_sensor.origin(), point, config))
+        labels[index] = Label::outlier;
+    }
+  };
+  runner.parallel_for_tiles((pass.points.count + kPointsPerTile - 1) / kPointsPerTile, filter_tile);
+}
+
+}  // namespace groundgrid

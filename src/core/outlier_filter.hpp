@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "core/elevation_map.hpp"
+#include "core/rasterization.hpp"
+#include "groundgrid/label.hpp"
+
+namespace groundgrid {
+
+/// Whether the line from `sensor` to `point` (window frame) runs free above the map: in no cell
+/// that it crosses, the point's own left out, does it dip more than the tolerance o_t below the
+/// known height, where the sum of confidence over the 5×5 cells around is at least o_minc.
+/// A point cannot be hidden by the cell it lies in: that cell is what it tells us about.
+bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
+                       const Config& config);
+
+/// Marks the points of one sensor that it cannot have seen as Label::outlier (paper III-A); all
+/// others get Label::unknown. The map is the one known before this scan.
+void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Config& config,
+                     const BinnedPoints& bins, TileRunner& runner, std::span<Label> labels);
+
+}  // namespace groundgrid

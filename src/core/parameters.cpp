@@ -1,0 +1,142 @@
+#include "groundgrid/parameters.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace groundgrid {
+namespace {
+
+constexpr double kFar = 1e6;
+
+constexpr std::array kParameters{
+    // Map
+    Parameter{"map_extent_m", &Config::map_extent_m, "m", 3.0, 2000.0, "", "map",
+              "Side of the square map around the vehicle."},
+    Parameter{"cell_size_m", &Config::cell_size_m, "m", 0.02, 10.0, "R", "map",
+              "Side of a cell."},
+    Parameter{"grid_anchor_x_m", &Config::grid_anchor_x_m, "m", -1e8, 1e8, "", "map",
+              "Map frame x of a cell's centre; the first pose's where left out."},
+    Parameter{"grid_anchor_y_m", &Config::grid_anchor_y_m, "m", -1e8, 1e8, "", "map",
+              "Map frame y of a cell's centre; the first pose's where left out."},
+    Parameter{"pose_jump_m", &Config::pose_jump_m, "m", 0.1, kFar, "", "map",
+              "A move between two scans by more than this starts the map anew."},
+    // Vehicle and sensor
+    Parameter{"sensor_height_m", &Config::sensor_height_m, "m", -10.0, 100.0, "", "vehicle",
+              "Height of the (first) sensor above the ground; estimated where left out and the "
+              "scan brings no mounting."},
+    Parameter{"min_range_m", &Config::min_range_m, "m", 0.0, 100.0, "", "vehicle",
+              "Points nearer to their sensor are unknown and never enter the map."},
+    Parameter{"own_vehicle_min_x_m", &Config::own_vehicle_min_x_m, "m", -100.0, 100.0, "",
+              "vehicle", "Rear of the own vehicle's box in base; an empty box takes no point."},
+    Parameter{"own_vehicle_max_x_m", &Config::own_vehicle_max_x_m, "m", -100.0, 100.0, "",
+              "vehicle", "Front of the own vehicle's box in base."},
+    Parameter{"own_vehicle_min_y_m", &Config::own_vehicle_min_y_m, "m", -100.0, 100.0, "",
+              "vehicle", "Right side of the own vehicle's box in base."},
+    Parameter{"own_vehicle_max_y_m", &Config::own_vehicle_max_y_m, "m", -100.0, 100.0, "",
+              "vehicle", "Left side of the own vehicle's box in base."},
+    Parameter{"own_vehicle_min_z_m", &Config::own_vehicle_min_z_m, "m", -100.0, 100.0, "",
+              "vehicle", "Bottom of the own vehicle's box in base."},
+    Parameter{"own_vehicle_max_z_m", &Config::own_vehicle_max_z_m, "m", -100.0, 100.0, "",
+              "vehicle", "Top of the own vehicle's box in base."},
+    // Outlier filter
+    Parameter{"outlier_tolerance_m", &Config::outlier_tolerance_m, "m", 0.0, 10.0, "o_t",
+              "outlier_filter", "A ray may dip this far below the map and still be free."},
+    Parameter{"outlier_min_confidence", &Config::outlier_min_confidence, "", 0.0, 25.0, "o_minc",
+              "outlier_filter",
+              "Sum of confidence over 5x5 cells that a cell needs to block a ray."},
+    Parameter{"outlier_min_depth_m", &Config::outlier_min_depth_m, "m", -kFar, kFar, "",
+              "outlier_filter",
+              "Only points at least this far below the map are tested; -1000000 tests all."},
+    // Ground cells
+    Parameter{"variance_distance_factor", &Config::variance_distance_factor, "m", 0.0, 1.0, "d_sf",
+              "ground_cells", "Variance threshold per metre of distance (eq. 1)."},
+    Parameter{"min_variance_threshold", &Config::min_variance_threshold, "m²", 0.0, 1.0, "t_minv",
+              "ground_cells", "Least variance threshold."},
+    Parameter{"max_variance_threshold", &Config::max_variance_threshold, "m²", 0.0, kFar, "",
+              "ground_cells", "Greatest variance threshold."},
+    Parameter{"point_angle_deg", &Config::point_angle_deg, "deg", 0.001, 90.0, "d_pv",
+              "ground_cells", "Angle between neighbouring points of a beam (eq. 2)."},
+    Parameter{"min_point_fraction", &Config::min_point_fraction, "", 0.0, 100.0, "g_minp",
+              "ground_cells", "Share of the expected points that a cell needs."},
+    Parameter{"expected_points_per_patch", &Config::expected_points_per_patch, "", 0.0, 1.0, "",
+              "ground_cells",
+              "Compare a patch's count with the points expected over its width, not a cell's own "
+              "count with those expected in a cell."},
+    Parameter{"min_patch_points", &Config::min_patch_points, "", 0.0, 1e6, "", "ground_cells",
+              "Least number of points in a patch."},
+    Parameter{"patch_change_distance_m", &Config::patch_change_distance_m, "m", 0.0, kFar, "d_ps",
+              "ground_cells", "Patches are 3x3 nearer than this, 5x5 beyond."},
+    Parameter{"own_variance_min_points", &Config::own_variance_min_points, "", 1.0, 1e6, "v_np",
+              "ground_cells", "From this count on a cell's own variance is used."},
+    // Elevation
+    Parameter{"confidence_point_scale", &Config::confidence_point_scale, "", 1e-3, 1e6, "s",
+              "ground_elevation", "Points in a patch for full confidence (eq. 4)."},
+    Parameter{"known_height_weight", &Config::known_height_weight, "", 0.0, 1e3, "",
+              "ground_elevation", "Weight of the known height in eq. 5, in units of c."},
+    // Interpolation
+    Parameter{"confidence_decay", &Config::confidence_decay, "", 1.0, 1e9, "θ", "interpolation",
+              "Decay of confidence where a scan shows no ground (eq. 8)."},
+    // Segmentation
+    Parameter{"ground_threshold_m", &Config::ground_threshold_m, "m", 0.0, 10.0, "h_g",
+              "segmentation", "Greatest height of a ground point in a ground cell."},
+    Parameter{"obstacle_threshold_m", &Config::obstacle_threshold_m, "m", 0.0, 10.0, "h_o",
+              "segmentation", "Greatest height of a ground point in any other cell."},
+    // Execution
+    Parameter{"threads", &Config::threads, "", 0.0, 1024.0, "", "execution",
+              "Threads to use; 0 for one per core."},
+};
+
+[[noreturn]] void reject(const Parameter& parameter, std::string_view value,
+                         std::string_view expected) {
+  throw std::invalid_argument(std::string(parameter.name) + " = " + std::string(value) + ": " +
+                              std::string(expected));
+}
+
+double number_from(const Parameter& parameter, std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    reject(parameter, text, "not a number");
+  return value;
+}
+
+bool switch_from(const Parameter& parameter, std::string_view text) {
+  if (text == "true" || text == "1" || text == "on") return true;
+  if (text == "false" || text == "0" || text == "off") return false;
+  reject(parameter, text, "neither true nor false");
+}
+
+int whole_number_from(const Parameter& parameter, std::string_view text) {
+  const double value = number_from(parameter, text);
+  if (value != std::floor(value) || std::abs(value) > 1e9)
+    reject(parameter, text, "not a whole number");
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+std::span<const Parameter> parameters() { return kParameters; }
+
+void set_parameter(Config& config, std::string_view name, std::string_view value) {
+  for (const Parameter& parameter : kParameters) {
+    if (parameter.name != name) continue;
+    if (const auto* member = std::get_if<double Config::*>(&parameter.member))
+      config.*(*member) = number_from(parameter, value);
+    else if (const auto* optional =
+                 std::get_if<std::optional<double> Config::*>(&parameter.member))
+      config.*(*optional) = value == "none" ? std::nullopt
+                                            : std::optional(number_from(parameter, value));
+    else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
+      config.*(*whole) = whole_number_from(parameter, value);
+    else
+      config.*std::get<bool Config::*>(parameter.member) = switch_from(parameter, value);
+    config.validate();
+    return;
+  }
+  throw std::invalid_argument("unknown parameter '" + std::string(name) + "'");
+}
+
+}  // namespace groundgrid
