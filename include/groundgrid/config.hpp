@@ -27,30 +27,35 @@ struct Config {
 
   // Outlier filter (III-A)
   double outlier_tolerance_m = 0.1;
-  double outlier_min_confidence = 1.25;
-  double outlier_min_depth_m = 0.2;
+  double outlier_min_confidence = 8.0;
+  double outlier_min_depth_m = 0.3;
 
   // Ground cells (III-C)
-  double variance_distance_factor = 1e-4;
+  double variance_distance_factor = 5e-5;
   double min_variance_threshold = 5e-4;
-  double max_variance_threshold = 5e-3;
-  double point_angle_deg = 0.2;
+  double point_angle_deg = 0.4;
   double min_point_fraction = 0.25;
-  bool expected_points_per_patch = true;
-  int min_patch_points = 3;
-  double patch_change_distance_m = 20.0;
-  int own_variance_min_points = 10;
+  double patch_change_distance_m = 40.0;
+  int own_variance_min_points = 5;
+  bool reject_raised = true;
+  double envelope_slope = 0.25;
+  double envelope_step_m = 0.15;
+  double envelope_pit_m = 0.3;
 
   // Elevation and confidence (III-D)
   double confidence_point_scale = 20.0;
-  double known_height_weight = 2.0;
 
   // Interpolation (III-E)
   double confidence_decay = 5.0;
 
   // Segmentation (III-F)
-  double ground_threshold_m = 0.3;
+  double ground_threshold_m = 0.2;
   double obstacle_threshold_m = 0.1;
+  bool threshold_by_column = true;
+  double tall_height_m = 0.3;
+  double overhang_height_m = 1.0;
+  double tall_threshold_m = 0.06;
+  double level_band_m = 0.15;
 
   // Execution
   int threads = 1;

@@ -11,8 +11,8 @@ namespace groundgrid {
 
 /// One field of Config: what documentation, flags, files and bindings are made from.
 struct Parameter {
-  using Member =
-      std::variant<double Config::*, std::optional<double> Config::*, int Config::*, bool Config::*>;
+  using Member = std::variant<double Config::*, std::optional<double> Config::*, int Config::*,
+                              bool Config::*>;
 
   std::string_view name;    ///< As in Config, unit suffix included.
   Member member;            ///< Where it lives.

@@ -20,8 +20,7 @@ struct PointView {
   std::optional<std::size_t> time_offset{};
 
   /// Packed records of `floats_per_point` floats that begin with x, y, z (KITTI: 4, nuScenes: 5).
-  static PointView from_floats(const float* data, std::size_t count,
-                               std::size_t floats_per_point) {
+  static PointView from_floats(const float* data, std::size_t count, std::size_t floats_per_point) {
     return {reinterpret_cast<const std::byte*>(data), count, floats_per_point * sizeof(float)};
   }
 };

@@ -45,11 +45,11 @@ struct CellStatistics {
 /// Cell (column, row) covers [min_x_m + column·cell_size_m, …) × [min_y_m + row·cell_size_m, …)
 /// of the map frame. Valid until the next process() or reset() of the GroundGrid it came from.
 struct TerrainView {
-  int size = 0;              ///< Cells along x and along y.
-  double cell_size_m = 0.0;  ///< Length of a cell's side.
-  double min_x_m = 0.0;      ///< Map frame x of the outer edge of column 0.
-  double min_y_m = 0.0;      ///< Map frame y of the outer edge of row 0.
-  double z_origin_m = 0.0;   ///< Map frame z of height 0 in `relative_height`.
+  int size = 0;                              ///< Cells along x and along y.
+  double cell_size_m = 0.0;                  ///< Length of a cell's side.
+  double min_x_m = 0.0;                      ///< Map frame x of the outer edge of column 0.
+  double min_y_m = 0.0;                      ///< Map frame y of the outer edge of row 0.
+  double z_origin_m = 0.0;                   ///< Map frame z of height 0 in `relative_height`.
   std::span<const float> relative_height{};  ///< Ground height less z_origin_m, m.
   std::span<const float> confidence{};       ///< 0 to 1.
   std::span<const CellStatistics> statistics{};

@@ -23,14 +23,15 @@ std::optional<double> value_of(const Config& config, const Parameter& parameter)
 
 Config Config::paper() {
   Config config;
+  config.outlier_min_confidence = 1.25;
   config.outlier_min_depth_m = -1e6;
   config.variance_distance_factor = 1e-5;
   config.min_variance_threshold = 5e-5;
-  config.max_variance_threshold = 1e6;
-  config.point_angle_deg = 0.4;
-  config.expected_points_per_patch = false;
-  config.min_patch_points = 0;
-  config.known_height_weight = 1.0;
+  config.patch_change_distance_m = 20.0;
+  config.own_variance_min_points = 10;
+  config.reject_raised = false;
+  config.ground_threshold_m = 0.3;
+  config.threshold_by_column = false;
   return config;
 }
 
@@ -39,8 +40,8 @@ void Config::validate() const {
     const std::optional<double> value = value_of(*this, parameter);
     if (!value || (*value >= parameter.min && *value <= parameter.max)) continue;
     std::ostringstream message;
-    message << parameter.name << " = " << *value << ": must be between " << parameter.min
-            << " and " << parameter.max;
+    message << parameter.name << " = " << *value << ": must be between " << parameter.min << " and "
+            << parameter.max;
     throw std::invalid_argument(message.str());
   }
   if (map_extent_m / cell_size_m > 8192.0 || map_extent_m < 9.0 * cell_size_m)

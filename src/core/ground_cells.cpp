@@ -15,8 +15,7 @@ std::size_t tiles_of(std::size_t cells) { return (cells + kCellsPerTile - 1) / k
 }  // namespace
 
 double variance_threshold(double distance_m, const Config& config) {
-  return std::clamp(config.variance_distance_factor * distance_m, config.min_variance_threshold,
-                    std::max(config.min_variance_threshold, config.max_variance_threshold));
+  return std::max(config.variance_distance_factor * distance_m, config.min_variance_threshold);
 }
 
 double expected_points(double distance_m, const Config& config) {
@@ -84,9 +83,9 @@ void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
     const std::uint32_t cell = grid.occupied[i];
     const int row = static_cast<int>(cell) / size;
     const int column = static_cast<int>(cell) % size;
-    const double distance = static_cast<double>(
-        sensors.distance_to((static_cast<float>(column) + 0.5F) * cell_size,
-                            (static_cast<float>(row) + 0.5F) * cell_size));
+    const double distance =
+        static_cast<double>(sensors.distance_to((static_cast<float>(column) + 0.5F) * cell_size,
+                                                (static_cast<float>(row) + 0.5F) * cell_size));
     const int half = distance < config.patch_change_distance_m ? 1 : 2;
     const Weighted patch = sum_patch(column, row, half, size);
     const Weighted& own = weighted_[cell];
@@ -98,11 +97,8 @@ void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
         own.points >= static_cast<float>(config.own_variance_min_points);
     answer.variance = own_variance_counts ? own.own_variance : patch.variance / patch.points;
 
-    const double expected = expected_points(distance, config) *
-                            (config.expected_points_per_patch ? 2 * half + 1 : 1);
-    const float seen = config.expected_points_per_patch ? patch.points : own.points;
-    answer.observed = static_cast<double>(seen) >= config.min_point_fraction * expected &&
-                      patch.points >= static_cast<float>(config.min_patch_points);
+    answer.observed = static_cast<double>(own.points) >=
+                      config.min_point_fraction * expected_points(distance, config);
     answer.ground = answer.observed &&
                     static_cast<double>(answer.variance) < variance_threshold(distance, config);
     is_ground_[cell] = answer.ground ? 1 : 0;

@@ -17,11 +17,11 @@ double expected_points(double distance_m, const Config& config);
 
 /// What the sums over a cell's 3×3 or 5×5 patch say; for every occupied cell.
 struct GroundCell {
-  float patch_points = 0.0F;    ///< ΣP.
-  float patch_elevation = 0.0F; ///< Eq. 3, metres above the z origin.
-  float variance = 0.0F;        ///< The variance that was tested, m².
-  bool observed = false;        ///< Enough points to be judged at all.
-  bool ground = false;          ///< Classified as ground.
+  float patch_points = 0.0F;     ///< ΣP.
+  float patch_elevation = 0.0F;  ///< Eq. 3, metres above the z origin.
+  float variance = 0.0F;         ///< The variance that was tested, m².
+  bool observed = false;         ///< Enough points to be judged at all.
+  bool ground = false;           ///< Classified as ground.
 };
 
 /// The planar positions of the sensors in the window frame; distances are to the nearest one.
@@ -40,6 +40,12 @@ class GroundCells {
 
   /// Element i belongs to ScanGrid::occupied[i].
   [[nodiscard]] const std::vector<GroundCell>& cells() const { return cells_; }
+
+  /// Takes back that a cell is ground: occupied cell `i`, cell `cell` of the window.
+  void withdraw(std::size_t i, std::uint32_t cell) {
+    cells_[i].ground = false;
+    is_ground_[cell] = 0;
+  }
 
   /// 1 for each cell of the window that is ground in this scan.
   [[nodiscard]] const std::vector<std::uint8_t>& is_ground() const { return is_ground_; }

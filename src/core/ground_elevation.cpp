@@ -18,13 +18,11 @@ float observation_confidence(float patch_points, const Config& config) {
   return std::clamp(patch_points / static_cast<float>(config.confidence_point_scale), 0.0F, 1.0F);
 }
 
-CellEstimate fuse_ground(const CellEstimate& known, float elevation, float confidence,
-                         const Config& config) {
-  const float known_weight = static_cast<float>(config.known_height_weight) * known.confidence;
-  const float weight = confidence + known_weight;
+CellEstimate fuse_ground(const CellEstimate& known, float elevation, float confidence) {
+  const float weight = confidence + known.confidence;
   CellEstimate fused = known;
   if (weight > 0.0F)
-    fused.height = (confidence * elevation + known_weight * known.height) / weight;
+    fused.height = (confidence * elevation + known.confidence * known.height) / weight;
   fused.confidence = 0.5F * (0.5F * confidence + known.confidence);
   return fused;
 }
@@ -42,10 +40,10 @@ void update_elevation(const ScanGrid& grid, const GroundCells& ground_cells, con
     if (!seen.observed) return;
     const std::uint32_t cell = grid.occupied[i];
     const CellEstimate known{map.height()[cell], map.confidence()[cell]};
-    const CellEstimate fused =
-        seen.ground ? fuse_ground(known, seen.patch_elevation,
-                                  observation_confidence(seen.patch_points, config), config)
-                    : fuse_obstacle(known, seen.patch_elevation);
+    const CellEstimate fused = seen.ground
+                                   ? fuse_ground(known, seen.patch_elevation,
+                                                 observation_confidence(seen.patch_points, config))
+                                   : fuse_obstacle(known, seen.patch_elevation);
     map.height()[cell] = fused.height;
     map.confidence()[cell] = fused.confidence;
   };

@@ -16,8 +16,7 @@ struct CellEstimate {
 float observation_confidence(float patch_points, const Config& config);
 
 /// Eq. 5 and 6: the known estimate after a scan that shows ground in the cell.
-CellEstimate fuse_ground(const CellEstimate& known, float elevation, float confidence,
-                         const Config& config);
+CellEstimate fuse_ground(const CellEstimate& known, float elevation, float confidence);
 
 /// End of III-D: the known estimate after a scan that shows something else in the cell, which
 /// lowers the ground where it stands below it.

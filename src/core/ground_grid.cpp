@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/cell_limits.hpp"
 #include "core/elevation_map.hpp"
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
+#include "core/ground_envelope.hpp"
 #include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
 #include "core/parallel.hpp"
@@ -73,7 +75,9 @@ class GroundGrid::Pipeline {
         runner_(config.threads),
         map_(config),
         grid_(map_.cells()),
-        ground_cells_(map_.cells()) {}
+        ground_cells_(map_.cells()),
+        envelope_(map_),
+        limits_(map_.cells()) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
                      const Eigen::Isometry3d& T_map_base_end, const ScanOutput* output);
@@ -106,8 +110,11 @@ class GroundGrid::Pipeline {
   Config config_;
   TileRunner runner_;
   ElevationMap map_;
+  Plane ground_plane_;
   ScanGrid grid_;
   GroundCells ground_cells_;
+  GroundEnvelope envelope_;
+  CellLimits limits_;
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;
   SensorPositions positions_;
@@ -144,8 +151,7 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans,
 
 void GroundGrid::Pipeline::check_input(std::span<const SensorScan> scans,
                                        const Eigen::Isometry3d& T_map_base_begin,
-                                       const Eigen::Isometry3d& T_map_base_end,
-                                       bool moving) const {
+                                       const Eigen::Isometry3d& T_map_base_end, bool moving) const {
   check_pose(T_map_base_begin, "T_map_base_begin");
   check_pose(T_map_base_end, "T_map_base_end");
   for (const SensorScan& scan : scans) {
@@ -195,6 +201,7 @@ double GroundGrid::Pipeline::ground_below_base(std::span<const SensorScan> scans
 void GroundGrid::Pipeline::place_map(const Eigen::Isometry3d& T_map_base, double ground_z,
                                      ScanResult& result) {
   const Plane ground = ground_plane(T_map_base, ground_z);
+  ground_plane_ = ground;
   const Eigen::Vector3d position = T_map_base.translation();
   const bool jumped =
       last_position_ && !((position - *last_position_).norm() <= config_.pose_jump_m);
@@ -245,13 +252,18 @@ void GroundGrid::Pipeline::run_stages() {
   }
   rasterize(bins_, labels_, runner_, grid_);
   ground_cells_.classify(grid_, map_, positions_, config_, runner_);
+  if (config_.reject_raised)
+    envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   const Point3f centre = positions_.sensors.empty() ? Point3f{} : positions_.sensors.front();
   const auto cell_size = static_cast<float>(map_.cell_size());
   interpolate(ground_cells_.is_ground(), static_cast<int>(centre.x / cell_size),
               static_cast<int>(centre.y / cell_size), config_, map_);
-  segment(bins_, ground_cells_.is_ground(), map_, config_, runner_, labels_,
-          height_above_ground_);
+  if (config_.threshold_by_column)
+    limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
+  else
+    limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
+  segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
 }
 
 void GroundGrid::Pipeline::count_labels(ScanResult& result) const {

@@ -12,8 +12,8 @@ template <typename Visit>
 void spiral(int size, int centre_column, int centre_row, const Visit& visit) {
   const auto inside = [size](int i) { return i >= 0 && i < size; };
   if (inside(centre_column) && inside(centre_row)) visit(centre_column, centre_row);
-  const int rings = std::max({centre_column, centre_row, size - 1 - centre_column,
-                              size - 1 - centre_row});
+  const int rings =
+      std::max({centre_column, centre_row, size - 1 - centre_column, size - 1 - centre_row});
   for (int ring = 1; ring <= rings; ++ring) {
     const int left = centre_column - ring;
     const int right = centre_column + ring;

@@ -24,8 +24,8 @@ struct AxisWalk {
     step = to > from ? 1 : -1;
     const double length = std::abs(to - from);
     const double border = (cell + (step > 0 ? 1 : 0)) * cell_size;
-    next = cell == last ? std::numeric_limits<double>::infinity()
-                        : std::abs(border - from) / length;
+    next =
+        cell == last ? std::numeric_limits<double>::infinity() : std::abs(border - from) / length;
     per_cell = cell_size / length;
   }
 
@@ -57,8 +57,8 @@ bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Poi
     const double leave = std::min(x.next, y.next);
     const double exit_z = z_begin + std::min(leave, 1.0) * drop;
     if (x.cell >= 0 && x.cell < map.size() && y.cell >= 0 && y.cell < map.size()) {
-      const double surface = static_cast<double>(
-          map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
+      const double surface =
+          static_cast<double>(map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
       // The confidence comes last: few rays ever dip below the surface.
       if (surface - std::min(entry_z, exit_z) > config.outlier_tolerance_m &&
           static_cast<double>(confidence_around(map, x.cell, y.cell)) >=

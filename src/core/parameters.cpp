@@ -15,8 +15,7 @@ constexpr std::array kParameters{
     // Map
     Parameter{"map_extent_m", &Config::map_extent_m, "m", 3.0, 2000.0, "", "map",
               "Side of the square map around the vehicle."},
-    Parameter{"cell_size_m", &Config::cell_size_m, "m", 0.02, 10.0, "R", "map",
-              "Side of a cell."},
+    Parameter{"cell_size_m", &Config::cell_size_m, "m", 0.02, 10.0, "R", "map", "Side of a cell."},
     Parameter{"grid_anchor_x_m", &Config::grid_anchor_x_m, "m", -1e8, 1e8, "", "map",
               "Map frame x of a cell's centre; the first pose's where left out."},
     Parameter{"grid_anchor_y_m", &Config::grid_anchor_y_m, "m", -1e8, 1e8, "", "map",
@@ -55,35 +54,47 @@ constexpr std::array kParameters{
               "ground_cells", "Variance threshold per metre of distance (eq. 1)."},
     Parameter{"min_variance_threshold", &Config::min_variance_threshold, "m²", 0.0, 1.0, "t_minv",
               "ground_cells", "Least variance threshold."},
-    Parameter{"max_variance_threshold", &Config::max_variance_threshold, "m²", 0.0, kFar, "",
-              "ground_cells", "Greatest variance threshold."},
     Parameter{"point_angle_deg", &Config::point_angle_deg, "deg", 0.001, 90.0, "d_pv",
               "ground_cells", "Angle between neighbouring points of a beam (eq. 2)."},
     Parameter{"min_point_fraction", &Config::min_point_fraction, "", 0.0, 100.0, "g_minp",
               "ground_cells", "Share of the expected points that a cell needs."},
-    Parameter{"expected_points_per_patch", &Config::expected_points_per_patch, "", 0.0, 1.0, "",
-              "ground_cells",
-              "Compare a patch's count with the points expected over its width, not a cell's own "
-              "count with those expected in a cell."},
-    Parameter{"min_patch_points", &Config::min_patch_points, "", 0.0, 1e6, "", "ground_cells",
-              "Least number of points in a patch."},
     Parameter{"patch_change_distance_m", &Config::patch_change_distance_m, "m", 0.0, kFar, "d_ps",
               "ground_cells", "Patches are 3x3 nearer than this, 5x5 beyond."},
     Parameter{"own_variance_min_points", &Config::own_variance_min_points, "", 1.0, 1e6, "v_np",
               "ground_cells", "From this count on a cell's own variance is used."},
+    Parameter{"reject_raised", &Config::reject_raised, "", 0.0, 1.0, "", "ground_cells",
+              "Take the class from cells that stand above what the ground around supports."},
+    Parameter{"envelope_slope", &Config::envelope_slope, "", 0.0, 10.0, "", "ground_cells",
+              "Steepest rise of the ground from one cell to another, m/m."},
+    Parameter{"envelope_step_m", &Config::envelope_step_m, "m", 0.0, 10.0, "", "ground_cells",
+              "Greatest step, such as a kerb, above that rise."},
+    Parameter{"envelope_pit_m", &Config::envelope_pit_m, "m", 0.0, 1e6, "", "ground_cells",
+              "Cells this far below the median around do not support the envelope."},
     // Elevation
     Parameter{"confidence_point_scale", &Config::confidence_point_scale, "", 1e-3, 1e6, "s",
               "ground_elevation", "Points in a patch for full confidence (eq. 4)."},
-    Parameter{"known_height_weight", &Config::known_height_weight, "", 0.0, 1e3, "",
-              "ground_elevation", "Weight of the known height in eq. 5, in units of c."},
     // Interpolation
     Parameter{"confidence_decay", &Config::confidence_decay, "", 1.0, 1e9, "θ", "interpolation",
               "Decay of confidence where a scan shows no ground (eq. 8)."},
     // Segmentation
     Parameter{"ground_threshold_m", &Config::ground_threshold_m, "m", 0.0, 10.0, "h_g",
-              "segmentation", "Greatest height of a ground point in a ground cell."},
+              "segmentation",
+              "Greatest height of a ground point in a ground cell or, by column, where nothing "
+              "rises from the ground."},
     Parameter{"obstacle_threshold_m", &Config::obstacle_threshold_m, "m", 0.0, 10.0, "h_o",
-              "segmentation", "Greatest height of a ground point in any other cell."},
+              "segmentation", "Greatest height of a ground point in any other cell, by class."},
+    Parameter{"threshold_by_column", &Config::threshold_by_column, "", 0.0, 1.0, "", "segmentation",
+              "Choose the threshold by what rises from the ground in the cell and measure from "
+              "the mean of the ground points around, not from the map's height by class."},
+    Parameter{"tall_height_m", &Config::tall_height_m, "m", 0.0, 100.0, "", "segmentation",
+              "Returns higher than this above the map rise from the ground."},
+    Parameter{
+        "overhang_height_m", &Config::overhang_height_m, "m", 0.0, 1000.0, "", "segmentation",
+        "Returns higher than this above the map, with none below them, hang over the ground."},
+    Parameter{"tall_threshold_m", &Config::tall_threshold_m, "m", 0.0, 10.0, "", "segmentation",
+              "Greatest height of a ground point where something rises from the ground."},
+    Parameter{"level_band_m", &Config::level_band_m, "m", 0.0, 10.0, "", "segmentation",
+              "Points up to this far above the map make the mean that heights are measured from."},
     // Execution
     Parameter{"threads", &Config::threads, "", 0.0, 1024.0, "", "execution",
               "Threads to use; 0 for one per core."},
@@ -125,10 +136,9 @@ void set_parameter(Config& config, std::string_view name, std::string_view value
     if (parameter.name != name) continue;
     if (const auto* member = std::get_if<double Config::*>(&parameter.member))
       config.*(*member) = number_from(parameter, value);
-    else if (const auto* optional =
-                 std::get_if<std::optional<double> Config::*>(&parameter.member))
-      config.*(*optional) = value == "none" ? std::nullopt
-                                            : std::optional(number_from(parameter, value));
+    else if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
+      config.*(*optional) =
+          value == "none" ? std::nullopt : std::optional(number_from(parameter, value));
     else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
       config.*(*whole) = whole_number_from(parameter, value);
     else

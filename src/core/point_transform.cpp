@@ -32,8 +32,8 @@ void SensorTrajectory::set_moving(const Eigen::Isometry3d& T_window_base_begin,
     const double share = static_cast<double>(step) / kSteps;
     Eigen::Isometry3d T_window_base = Eigen::Isometry3d::Identity();
     T_window_base.linear() = q_begin.slerp(share, q_end).toRotationMatrix();
-    T_window_base.translation() = (1.0 - share) * T_window_base_begin.translation() +
-                                  share * T_window_base_end.translation();
+    T_window_base.translation() =
+        (1.0 - share) * T_window_base_begin.translation() + share * T_window_base_end.translation();
     table_[static_cast<std::size_t>(step)] = PointTransform(T_window_base * T_base_sensor);
   }
 }

@@ -43,8 +43,8 @@ struct Binning {
 
   [[nodiscard]] std::uint32_t cell_of(const Point3f& p) const {
     // Written so that NaN fails.
-    const bool inside = p.x >= 0.0F && p.x < extent && p.y >= 0.0F && p.y < extent &&
-                        std::abs(p.z) < kMaxHeight_m;
+    const bool inside =
+        p.x >= 0.0F && p.x < extent && p.y >= 0.0F && p.y < extent && std::abs(p.z) < kMaxHeight_m;
     if (!inside) return BinnedPoints::kNoCell;
     const int column = std::min(static_cast<int>(p.x * inverse_cell_size), size - 1);
     const int row = std::min(static_cast<int>(p.y * inverse_cell_size), size - 1);
@@ -117,20 +117,11 @@ void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& c
 void rasterize(const BinnedPoints& bins, std::span<const Label> labels, TileRunner& runner,
                ScanGrid& grid) {
   clear(grid);
-  // Each tile owns a band of cells and picks its points out of all; sums of whole numbers come
-  // out the same whoever adds them in whatever order.
-  const std::size_t cells = grid.statistics.size();
-  const auto bands = static_cast<std::size_t>(runner.threads());
-  runner.parallel_for_tiles(bands, [&](std::size_t band) {
-    const auto begin = static_cast<std::uint32_t>(cells * band / bands);
-    const auto length = static_cast<std::uint32_t>(cells * (band + 1) / bands) - begin;
-    for (std::size_t i = 0; i < bins.cell.size(); ++i) {
-      const std::uint32_t cell = bins.cell[i];
-      if (cell - begin >= length || labels[i] == Label::outlier) continue;
-      add_point(grid.statistics[cell], bins.z[i]);
-      grid.is_occupied[cell] = 1;
-    }
-  });
+  for_each_binned_point(bins, labels, grid.statistics.size(), runner,
+                        [&](std::uint32_t cell, std::int32_t z) {
+                          add_point(grid.statistics[cell], z);
+                          grid.is_occupied[cell] = 1;
+                        });
   list_occupied_cells(grid);
 }
 

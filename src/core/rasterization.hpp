@@ -49,6 +49,23 @@ struct ScanGrid {
 void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& config,
                 TileRunner& runner, BinnedPoints& bins);
 
+/// Calls add(cell, z) for every point that has a cell and is no outlier. Each tile owns a band of
+/// cells and picks its points out of all: what `add` writes to its cell needs no lock, and sums of
+/// whole numbers come out the same whoever adds them in whatever order.
+template <typename Add>
+void for_each_binned_point(const BinnedPoints& bins, std::span<const Label> labels,
+                           std::size_t cells, TileRunner& runner, const Add& add) {
+  const auto bands = static_cast<std::size_t>(runner.threads());
+  runner.parallel_for_tiles(bands, [&](std::size_t band) {
+    const auto begin = static_cast<std::uint32_t>(cells * band / bands);
+    const auto length = static_cast<std::uint32_t>(cells * (band + 1) / bands) - begin;
+    for (std::size_t i = 0; i < bins.cell.size(); ++i) {
+      const std::uint32_t cell = bins.cell[i];
+      if (cell - begin < length && labels[i] != Label::outlier) add(cell, bins.z[i]);
+    }
+  });
+}
+
 /// Count, sum, sum of squares, minimum and maximum per cell over all points but the outliers.
 void rasterize(const BinnedPoints& bins, std::span<const Label> labels, TileRunner& runner,
                ScanGrid& grid);

@@ -11,13 +11,10 @@ constexpr std::size_t kPointsPerTile = 8192;
 
 }  // namespace
 
-void segment(const BinnedPoints& bins, const std::vector<std::uint8_t>& is_ground,
-             const ElevationMap& map, const Config& config, TileRunner& runner,
-             std::span<Label> labels, std::span<float> height_above_ground) {
-  const float thresholds[2] = {static_cast<float>(config.obstacle_threshold_m),
-                               static_cast<float>(config.ground_threshold_m)};
-  const auto step = static_cast<float>(CellStatistics::kStep_m);
-  const float* height = map.height().data();
+void segment(const BinnedPoints& bins, const CellLimits& limits, const ElevationMap& map,
+             TileRunner& runner, std::span<Label> labels, std::span<float> height_above_ground) {
+  constexpr auto kStep_m = static_cast<float>(CellStatistics::kStep_m);
+  const CellLimit* limit_of = limits.limits().data();
   const auto segment_tile = [&](std::size_t tile) {
     const std::size_t end = std::min((tile + 1) * kPointsPerTile, bins.cell.size());
     for (std::size_t i = tile * kPointsPerTile; i < end; ++i) {
@@ -26,10 +23,15 @@ void segment(const BinnedPoints& bins, const std::vector<std::uint8_t>& is_groun
         height_above_ground[i] = std::numeric_limits<float>::quiet_NaN();
         continue;
       }
-      const float above = static_cast<float>(bins.z[i]) * step - height[cell];
+      const float z = static_cast<float>(bins.z[i]) * kStep_m;
+      if (labels[i] == Label::outlier) {
+        height_above_ground[i] = z - map.height()[cell];
+        continue;
+      }
+      const CellLimit limit = limit_of[cell];
+      const float above = z - limit.level;
       height_above_ground[i] = above;
-      if (labels[i] == Label::outlier) continue;
-      labels[i] = above <= thresholds[is_ground[cell]] ? Label::ground : Label::obstacle;
+      labels[i] = above <= limit.threshold ? Label::ground : Label::obstacle;
     }
   };
   runner.parallel_for_tiles((bins.cell.size() + kPointsPerTile - 1) / kPointsPerTile, segment_tile);

@@ -1,0 +1,97 @@
+// The thresholds of the point cloud segmentation, paper III-F, chosen cell by cell.
+#include "core/cell_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace groundgrid {
+namespace {
+
+constexpr std::size_t kCellsPerTile = 1024;
+constexpr float kStep_m = static_cast<float>(CellStatistics::kStep_m);
+// Ground points lie at most this far below the map's height; deeper ones are reflections.
+constexpr double kBandBelow_m = 0.3;
+// One cell counts like at most this many points, so that a dense one does not outvote the rest.
+constexpr float kCellWeight = 20.0F;
+// Weight of "no offset", in points.
+constexpr float kNoOffsetWeight = 3.0F;
+
+std::int32_t steps(double metres) {
+  return static_cast<std::int32_t>(std::lround(metres / CellStatistics::kStep_m));
+}
+
+}  // namespace
+
+void CellLimits::choose_by_class(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
+                                 const ElevationMap& map, const Config& config) {
+  const auto ground = static_cast<float>(config.ground_threshold_m);
+  const auto obstacle = static_cast<float>(config.obstacle_threshold_m);
+  for (const std::uint32_t cell : grid.occupied)
+    limits_[cell] = {map.height()[cell], is_ground[cell] != 0 ? ground : obstacle};
+}
+
+void CellLimits::collect_columns(const BinnedPoints& bins, std::span<const Label> labels,
+                                 const ScanGrid& grid, const ElevationMap& map,
+                                 const Config& config, TileRunner& runner) {
+  for (const std::uint32_t cell : collected_) columns_[cell] = Column{};
+  collected_ = grid.occupied;
+  for (const std::uint32_t cell : grid.occupied)
+    columns_[cell] = {steps(static_cast<double>(map.height()[cell])), 0, 0, false};
+
+  const std::int32_t tall = steps(config.tall_height_m);
+  const std::int32_t overhang = steps(config.overhang_height_m);
+  const std::int32_t band_below = steps(kBandBelow_m);
+  const std::int32_t band_above = steps(config.level_band_m);
+  for_each_binned_point(bins, labels, map.cells(), runner, [&](std::uint32_t cell, std::int32_t z) {
+    Column& column = columns_[cell];
+    const std::int32_t above = z - column.height;
+    if (above > -band_below && above < band_above) {
+      ++column.near_ground;
+      column.near_ground_sum += above;
+    } else if (above > tall && above < overhang) {
+      column.rising = true;
+    }
+  });
+  // Where something stands its feet would pass for ground: such cells take the level of others.
+  for (const std::uint32_t cell : grid.occupied)
+    if (grid.statistics[cell].max - columns_[cell].height > tall) columns_[cell].near_ground = 0;
+}
+
+float CellLimits::mean_offset(int column, int row, int size) const {
+  float weight = kNoOffsetWeight;
+  float sum = 0.0F;
+  for (int y = std::max(row - 2, 0); y <= std::min(row + 2, size - 1); ++y) {
+    for (int x = std::max(column - 2, 0); x <= std::min(column + 2, size - 1); ++x) {
+      const Column& seen = columns_[static_cast<std::size_t>(y * size + x)];
+      if (seen.near_ground == 0) continue;
+      const auto points = static_cast<float>(seen.near_ground);
+      const bool own = x == column && y == row;
+      const float share = (own ? 3.0F : 1.0F) / (1.0F + points / kCellWeight);
+      weight += share * points;
+      sum += share * static_cast<float>(seen.near_ground_sum);
+    }
+  }
+  return sum / weight * kStep_m;
+}
+
+void CellLimits::choose_by_column(const BinnedPoints& bins, std::span<const Label> labels,
+                                  const ScanGrid& grid, const ElevationMap& map,
+                                  const Config& config, TileRunner& runner) {
+  collect_columns(bins, labels, grid, map, config, runner);
+  const auto free_threshold = static_cast<float>(config.ground_threshold_m);
+  const auto tall_threshold = static_cast<float>(config.tall_threshold_m);
+  const int size = map.size();
+  const std::size_t cells = grid.occupied.size();
+  runner.parallel_for_tiles((cells + kCellsPerTile - 1) / kCellsPerTile, [&](std::size_t tile) {
+    const std::size_t end = std::min((tile + 1) * kCellsPerTile, cells);
+    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) {
+      const std::uint32_t cell = grid.occupied[i];
+      const int row = static_cast<int>(cell) / size;
+      const int column = static_cast<int>(cell) % size;
+      limits_[cell] = {map.height()[cell] + mean_offset(column, row, size),
+                       columns_[cell].rising ? tall_threshold : free_threshold};
+    }
+  });
+}
+
+}  // namespace groundgrid
