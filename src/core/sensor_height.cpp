@@ -1,4 +1,5 @@
 // Estimate of the sensor's height above the ground where no mounting is given.
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,9 +11,10 @@
 namespace groundgrid {
 namespace {
 
-// Flat cells within reach of the vehicle vote with their lowest point; the height with the most
-// votes is the ground's. Cells, not points, vote: a roof hit by many beams counts no more than
-// the road it stands on, and the road covers more cells.
+// Flat cells within reach of the vehicle vote with their height; the height with the most votes
+// is the ground's, roughly, and a plane through the cells that agree with it gives the height
+// under the sensor. Cells, not points, vote: a roof hit by many beams counts no more than the road
+// it stands on, and the road covers more cells.
 constexpr float kCell_m = 0.5F;
 constexpr float kReach_m = 20.0F;
 constexpr int kCells = 80;
@@ -20,11 +22,21 @@ constexpr float kFlat_m = 0.12F;
 constexpr float kMaxHeight_m = 8.0F;
 constexpr float kBin_m = 0.05F;
 constexpr int kBins = 160;
-constexpr int kMinVotes = 5;
+constexpr std::size_t kMinVotes = 5;
+// The plane starts from cells this close to the vote and ends with cells this close to itself.
+constexpr double kFirstInlier_m = 0.3;
+constexpr double kLastInlier_m = 0.1;
+constexpr int kFits = 4;
 
 struct Extremes {
   float min = std::numeric_limits<float>::infinity();
   float max = -std::numeric_limits<float>::infinity();
+};
+
+struct FlatCell {
+  double x = 0.0;
+  double y = 0.0;
+  double depth = 0.0;  ///< Below the sensor, metres.
 };
 
 std::vector<Extremes> cell_extremes(const PointView& points) {
@@ -42,22 +54,31 @@ std::vector<Extremes> cell_extremes(const PointView& points) {
   return cells;
 }
 
-/// Depths below the sensor of all flat cells, ascending.
-std::vector<float> flat_depths(const PointView& points) {
-  std::vector<float> depths;
-  for (const Extremes& cell : cell_extremes(points)) {
-    const float depth = -cell.min;
-    if (cell.max - cell.min < kFlat_m && depth > 0.0F && depth < kMaxHeight_m)
-      depths.push_back(depth);
-  }
-  std::sort(depths.begin(), depths.end());
-  return depths;
+double centre_of(int cell) {
+  return (cell + 0.5) * static_cast<double>(kCell_m) - static_cast<double>(kReach_m);
 }
 
-int most_voted_bin(const std::vector<float>& depths) {
+std::vector<FlatCell> flat_cells(const PointView& points) {
+  const std::vector<Extremes> cells = cell_extremes(points);
+  std::vector<FlatCell> flat;
+  for (int row = 0; row < kCells; ++row) {
+    for (int column = 0; column < kCells; ++column) {
+      const Extremes& cell = cells[static_cast<std::size_t>(row * kCells + column)];
+      const float depth = -0.5F * (cell.min + cell.max);
+      if (cell.max - cell.min < kFlat_m && depth > 0.0F && depth < kMaxHeight_m)
+        flat.push_back({centre_of(column), centre_of(row), static_cast<double>(depth)});
+    }
+  }
+  return flat;
+}
+
+/// The depth around which most cells lie.
+double most_voted_depth(const std::vector<FlatCell>& cells) {
   std::vector<int> votes(kBins + 2);
-  for (const float depth : depths)
-    ++votes[static_cast<std::size_t>(std::min(static_cast<int>(depth / kBin_m), kBins - 1)) + 1];
+  for (const FlatCell& cell : cells) {
+    const int bin = static_cast<int>(cell.depth / static_cast<double>(kBin_m));
+    ++votes[static_cast<std::size_t>(std::min(bin, kBins - 1)) + 1];
+  }
   int best = 0;
   int best_votes = 0;
   for (int bin = 0; bin < kBins; ++bin) {
@@ -68,19 +89,42 @@ int most_voted_bin(const std::vector<float>& depths) {
       best_votes = around;
     }
   }
-  return best;
+  return (best + 0.5) * static_cast<double>(kBin_m);
+}
+
+/// Depth, rise along x, rise along y of the plane through the cells close to `plane`.
+std::optional<Eigen::Vector3d> fit_plane(const std::vector<FlatCell>& cells,
+                                         const Eigen::Vector3d& plane, double inlier_m) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  std::size_t inliers = 0;
+  for (const FlatCell& cell : cells) {
+    const Eigen::Vector3d row(1.0, cell.x, cell.y);
+    if (std::abs(cell.depth - row.dot(plane)) > inlier_m) continue;
+    normal += row * row.transpose();
+    right += row * cell.depth;
+    ++inliers;
+  }
+  if (inliers < kMinVotes) return std::nullopt;
+  // A touch of weight on "level" keeps the plane defined where all cells lie in one line.
+  normal.diagonal().tail<2>().array() += 1.0;
+  return Eigen::Vector3d(normal.ldlt().solve(right));
 }
 
 }  // namespace
 
 std::optional<double> estimate_sensor_height(const PointView& points) {
-  const std::vector<float> depths = flat_depths(points);
-  if (depths.size() < kMinVotes) return std::nullopt;
-  const auto bin = static_cast<float>(most_voted_bin(depths));
-  const auto begin = std::lower_bound(depths.begin(), depths.end(), (bin - 1.0F) * kBin_m);
-  const auto end = std::lower_bound(depths.begin(), depths.end(), (bin + 2.0F) * kBin_m);
-  if (end - begin < kMinVotes) return std::nullopt;
-  return static_cast<double>(*(begin + (end - begin) / 2));
+  const std::vector<FlatCell> cells = flat_cells(points);
+  if (cells.size() < kMinVotes) return std::nullopt;
+  Eigen::Vector3d plane(most_voted_depth(cells), 0.0, 0.0);
+  for (int fit = 0; fit < kFits; ++fit) {
+    const double share = static_cast<double>(fit) / (kFits - 1);
+    const double inlier = kFirstInlier_m + share * (kLastInlier_m - kFirstInlier_m);
+    const std::optional<Eigen::Vector3d> fitted = fit_plane(cells, plane, inlier);
+    if (!fitted) return std::nullopt;
+    plane = *fitted;
+  }
+  return plane.x();
 }
 
 }  // namespace groundgrid
