@@ -33,7 +33,7 @@ void CellLimits::choose_by_class(const ScanGrid& grid, const std::vector<std::ui
 void CellLimits::collect_columns(const BinnedPoints& bins, std::span<const Label> labels,
                                  const ScanGrid& grid, const ElevationMap& map,
                                  const Config& config, TileRunner& runner) {
-  for (const std::uint32_t cell : collected_) columns_[cell] = Column{};
+  for (const std::uint32_t cell : collected_) offsets_[cell] = Offset{};
   collected_ = grid.occupied;
   for (const std::uint32_t cell : grid.occupied)
     columns_[cell] = {steps(static_cast<double>(map.height()[cell])), 0, 0, false};
@@ -53,22 +53,27 @@ void CellLimits::collect_columns(const BinnedPoints& bins, std::span<const Label
     }
   });
   // Where something stands its feet would pass for ground: such cells take the level of others.
-  for (const std::uint32_t cell : grid.occupied)
-    if (grid.statistics[cell].max - columns_[cell].height > tall) columns_[cell].near_ground = 0;
+  for (const std::uint32_t cell : grid.occupied) {
+    const Column& column = columns_[cell];
+    if (grid.statistics[cell].max - column.height > tall) continue;
+    const float share = 1.0F / (1.0F + static_cast<float>(column.near_ground) / kCellWeight);
+    offsets_[cell] = {share * static_cast<float>(column.near_ground),
+                      share * static_cast<float>(column.near_ground_sum)};
+  }
 }
 
 float CellLimits::mean_offset(int column, int row, int size) const {
-  float weight = kNoOffsetWeight;
-  float sum = 0.0F;
+  const Offset& own = offsets_[static_cast<std::size_t>(row * size + column)];
+  // The cell itself counts three times: twice here and once among its neighbours.
+  float weight = kNoOffsetWeight + 2.0F * own.weight;
+  float sum = 2.0F * own.weighted_steps;
+  const int x_begin = std::max(column - 2, 0);
+  const int x_end = std::min(column + 2, size - 1);
   for (int y = std::max(row - 2, 0); y <= std::min(row + 2, size - 1); ++y) {
-    for (int x = std::max(column - 2, 0); x <= std::min(column + 2, size - 1); ++x) {
-      const Column& seen = columns_[static_cast<std::size_t>(y * size + x)];
-      if (seen.near_ground == 0) continue;
-      const auto points = static_cast<float>(seen.near_ground);
-      const bool own = x == column && y == row;
-      const float share = (own ? 3.0F : 1.0F) / (1.0F + points / kCellWeight);
-      weight += share * points;
-      sum += share * static_cast<float>(seen.near_ground_sum);
+    for (int x = x_begin; x <= x_end; ++x) {
+      const Offset& seen = offsets_[static_cast<std::size_t>(y * size + x)];
+      weight += seen.weight;
+      sum += seen.weighted_steps;
     }
   }
   return sum / weight * kStep_m;

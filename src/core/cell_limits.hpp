@@ -20,7 +20,7 @@ struct CellLimit {
 /// Chooses level and threshold of every occupied cell for the segmentation (paper III-F).
 class CellLimits {
  public:
-  explicit CellLimits(std::size_t cells) : limits_(cells), columns_(cells) {
+  explicit CellLimits(std::size_t cells) : limits_(cells), columns_(cells), offsets_(cells) {
     collected_.reserve(cells);
   }
 
@@ -47,6 +47,11 @@ class CellLimits {
     std::int64_t near_ground_sum = 0;  ///< Their heights above it.
     bool rising = false;               ///< Something rises from the ground.
   };
+  /// What the cell adds to the mean height of the ground points around, in points and steps.
+  struct Offset {
+    float weight = 0.0F;
+    float weighted_steps = 0.0F;
+  };
   void collect_columns(const BinnedPoints& bins, std::span<const Label> labels,
                        const ScanGrid& grid, const ElevationMap& map, const Config& config,
                        TileRunner& runner);
@@ -54,7 +59,8 @@ class CellLimits {
 
   std::vector<CellLimit> limits_;
   std::vector<Column> columns_;
-  std::vector<std::uint32_t> collected_;  // cells of columns_ that hold something
+  std::vector<Offset> offsets_;
+  std::vector<std::uint32_t> collected_;  // cells of offsets_ that hold something
 };
 
 }  // namespace groundgrid

@@ -12,6 +12,15 @@ constexpr std::size_t kCellsPerTile = 1024;
 
 std::size_t tiles_of(std::size_t cells) { return (cells + kCellsPerTile - 1) / kCellsPerTile; }
 
+/// Paper III-C: whether a cell has its share of the points expected by eq. 2.
+bool has_enough_points(double points, double distance_m, const Config& config) {
+  // atan(x) <= x settles most cells without the arc tangent.
+  const double at_most =
+      config.cell_size_m / distance_m * 180.0 / std::numbers::pi / config.point_angle_deg;
+  return points >= config.min_point_fraction * at_most ||
+         points >= config.min_point_fraction * expected_points(distance_m, config);
+}
+
 }  // namespace
 
 double variance_threshold(double distance_m, const Config& config) {
@@ -97,8 +106,7 @@ void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
         own.points >= static_cast<float>(config.own_variance_min_points);
     answer.variance = own_variance_counts ? own.own_variance : patch.variance / patch.points;
 
-    answer.observed = static_cast<double>(own.points) >=
-                      config.min_point_fraction * expected_points(distance, config);
+    answer.observed = has_enough_points(static_cast<double>(own.points), distance, config);
     answer.ground = answer.observed &&
                     static_cast<double>(answer.variance) < variance_threshold(distance, config);
     is_ground_[cell] = answer.ground ? 1 : 0;

@@ -18,12 +18,6 @@ float median(Iterator begin, Iterator end) {
   return *middle;
 }
 
-/// Lets the heights of one row's cells rise from their neighbours in the row.
-void spread_along(float* row, int size, float rise) {
-  for (int x = 1; x < size; ++x) row[x] = std::min(row[x], row[x - 1] + rise);
-  for (int x = size - 2; x >= 0; --x) row[x] = std::min(row[x], row[x + 1] + rise);
-}
-
 /// Lets the heights of a row rise from the row beside it.
 void spread_across(const float* from, float* row, int size, float rise) {
   const float diagonal = rise * std::numbers::sqrt2_v<float>;
@@ -106,18 +100,19 @@ void GroundEnvelope::find_references() {
 }
 
 void GroundEnvelope::spread(float rise) {
-  // The distance transform of Borgefors: two sweeps carry every height to all cells.
+  // The two sweeps of a chamfer distance transform (Borgefors) carry every height to all cells.
   const auto row_of = [this](int row) {
     return envelope_.data() + static_cast<std::ptrdiff_t>(row) * size_;
   };
-  spread_along(row_of(0), size_, rise);
-  for (int row = 1; row < size_; ++row) {
-    spread_across(row_of(row - 1), row_of(row), size_, rise);
-    spread_along(row_of(row), size_, rise);
+  for (int row = 0; row < size_; ++row) {
+    float* here = row_of(row);
+    if (row > 0) spread_across(row_of(row - 1), here, size_, rise);
+    for (int x = 1; x < size_; ++x) here[x] = std::min(here[x], here[x - 1] + rise);
   }
-  for (int row = size_ - 2; row >= 0; --row) {
-    spread_across(row_of(row + 1), row_of(row), size_, rise);
-    spread_along(row_of(row), size_, rise);
+  for (int row = size_ - 1; row >= 0; --row) {
+    float* here = row_of(row);
+    if (row < size_ - 1) spread_across(row_of(row + 1), here, size_, rise);
+    for (int x = size_ - 2; x >= 0; --x) here[x] = std::min(here[x], here[x + 1] + rise);
   }
 }
 

@@ -14,22 +14,29 @@ constexpr float kMaxHeight_m = 1e5F;
 // Squares of heights up to 209 m (2^21 steps) of two million points fit into 63 bits.
 constexpr std::int32_t kMaxSteps = 1 << 21;
 
-struct Box {
+/// Points that are never taken: on the own vehicle, or too near to the sensor.
+struct Exclusion {
   float min[3];
   float max[3];
+  float min_range_squared;
+  bool has_box;
 
-  explicit Box(const Config& config)
+  explicit Exclusion(const Config& config)
       : min{static_cast<float>(config.own_vehicle_min_x_m),
             static_cast<float>(config.own_vehicle_min_y_m),
             static_cast<float>(config.own_vehicle_min_z_m)},
         max{static_cast<float>(config.own_vehicle_max_x_m),
             static_cast<float>(config.own_vehicle_max_y_m),
-            static_cast<float>(config.own_vehicle_max_z_m)} {}
+            static_cast<float>(config.own_vehicle_max_z_m)},
+        min_range_squared(static_cast<float>(config.min_range_m * config.min_range_m)),
+        has_box(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]) {}
 
-  [[nodiscard]] bool empty() const {
-    return !(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]);
-  }
-  [[nodiscard]] bool contains(const Point3f& p) const {
+  [[nodiscard]] bool takes(const Point3f& in_sensor, const PointTransform& T_base_sensor) const {
+    const float range_squared =
+        in_sensor.x * in_sensor.x + in_sensor.y * in_sensor.y + in_sensor.z * in_sensor.z;
+    if (range_squared < min_range_squared) return true;
+    if (!has_box) return false;
+    const Point3f p = T_base_sensor.apply(in_sensor);
     return p.x >= min[0] && p.x <= max[0] && p.y >= min[1] && p.y <= max[1] && p.z >= min[2] &&
            p.z <= max[2];
   }
@@ -51,6 +58,23 @@ struct Binning {
     return static_cast<std::uint32_t>(row * size + column);
   }
 };
+
+template <typename TransformOf>
+void bin_tile(const SensorPass& pass, std::size_t tile, const Exclusion& exclusion,
+              const Binning& binning, BinnedPoints& bins, const TransformOf& transform_of) {
+  const std::size_t begin = tile * kPointsPerTile;
+  const std::size_t end = std::min(begin + kPointsPerTile, pass.points.count);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Point3f p = load_point(pass.points, i);
+    const Point3f q = transform_of(i).apply(p);
+    std::uint32_t cell = binning.cell_of(q);
+    if (exclusion.takes(p, pass.T_base_sensor)) cell = BinnedPoints::kNoCell;
+    bins.cell[pass.first + i] = cell;
+    bins.z[pass.first + i] = cell == BinnedPoints::kNoCell
+                                 ? 0
+                                 : static_cast<std::int32_t>(std::lrint(q.z * kStepsPerMetre));
+  }
+}
 
 void add_point(CellStatistics& cell, std::int32_t z) {
   const std::int64_t height = std::clamp(z, -kMaxSteps, kMaxSteps);
@@ -88,30 +112,23 @@ void list_occupied_cells(ScanGrid& grid) {
 
 void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& config,
                 TileRunner& runner, BinnedPoints& bins) {
-  const Box own_vehicle(config);
-  const bool has_box = !own_vehicle.empty();
-  const auto min_range = static_cast<float>(config.min_range_m);
-  const float min_range_squared = min_range * min_range;
+  const Exclusion exclusion(config);
   const auto cell_size = static_cast<float>(map.cell_size());
   const Binning binning{static_cast<float>(map.size()) * cell_size, 1.0F / cell_size, map.size()};
-
-  const auto bin_tile = [&](std::size_t tile) {
-    const std::size_t begin = tile * kPointsPerTile;
-    const std::size_t end = std::min(begin + kPointsPerTile, pass.points.count);
-    for (std::size_t i = begin; i < end; ++i) {
-      const Point3f p = load_point(pass.points, i);
-      const Point3f q = pass.trajectory.at(pass.points, i).apply(p);
-      std::uint32_t cell = binning.cell_of(q);
-      const bool too_near = p.x * p.x + p.y * p.y + p.z * p.z < min_range_squared;
-      if (too_near || (has_box && own_vehicle.contains(pass.T_base_sensor.apply(p))))
-        cell = BinnedPoints::kNoCell;
-      bins.cell[pass.first + i] = cell;
-      bins.z[pass.first + i] = cell == BinnedPoints::kNoCell
-                                   ? 0
-                                   : static_cast<std::int32_t>(std::lrint(q.z * kStepsPerMetre));
-    }
-  };
-  runner.parallel_for_tiles((pass.points.count + kPointsPerTile - 1) / kPointsPerTile, bin_tile);
+  const std::size_t tiles = (pass.points.count + kPointsPerTile - 1) / kPointsPerTile;
+  if (pass.trajectory.moving()) {
+    runner.parallel_for_tiles(tiles, [&](std::size_t tile) {
+      bin_tile(pass, tile, exclusion, binning, bins,
+               [&](std::size_t i) { return pass.trajectory.at(pass.points, i); });
+    });
+  } else {
+    // A copy of its own stays in registers.
+    const PointTransform T_window_sensor = pass.trajectory.end();
+    runner.parallel_for_tiles(tiles, [&](std::size_t tile) {
+      bin_tile(pass, tile, exclusion, binning, bins,
+               [&](std::size_t) -> const PointTransform& { return T_window_sensor; });
+    });
+  }
 }
 
 void rasterize(const BinnedPoints& bins, std::span<const Label> labels, TileRunner& runner,
