@@ -53,6 +53,13 @@ Eigen::Isometry3d mounting_of(const SensorScan& scan) {
   return scan.T_base_sensor ? scan.T_base_sensor->isometry() : Eigen::Isometry3d::Identity();
 }
 
+/// Where base was while the scan was taken.
+struct Motion {
+  const Eigen::Isometry3d& T_map_base_begin;
+  const Eigen::Isometry3d& T_map_base_end;
+  bool within_scan;  ///< Whether points with times are to be corrected for the way between.
+};
+
 /// The plane on which a vehicle at this pose stands, `ground_z` above base's origin.
 Plane ground_plane(const Eigen::Isometry3d& T_map_base, double ground_z) {
   const Eigen::Vector3d up = T_map_base.linear().col(2);
@@ -79,8 +86,8 @@ class GroundGrid::Pipeline {
         envelope_(map_),
         limits_(map_.cells()) {}
 
-  ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
-                     const Eigen::Isometry3d& T_map_base_end, const ScanOutput* output);
+  ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
+                     const ScanOutput* output);
 
   void reset() {
     map_.reset();
@@ -96,12 +103,10 @@ class GroundGrid::Pipeline {
     config.validate();
     return config;
   }
-  void check_input(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
-                   const Eigen::Isometry3d& T_map_base_end, bool moving) const;
+  static void check_input(std::span<const SensorScan> scans, const Motion& motion);
   double ground_below_base(std::span<const SensorScan> scans, ScanResult& result);
   void place_map(const Eigen::Isometry3d& T_map_base, double ground_z, ScanResult& result);
-  void place_sensors(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
-                     const Eigen::Isometry3d& T_map_base_end, bool moving);
+  void place_sensors(std::span<const SensorScan> scans, const Motion& motion);
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
   void choose_output(std::size_t points, const ScanOutput* output);
   void run_stages();
@@ -127,20 +132,17 @@ class GroundGrid::Pipeline {
   bool height_known_ = false;
 };
 
-ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans,
-                                         const Eigen::Isometry3d& T_map_base_begin,
-                                         const Eigen::Isometry3d& T_map_base_end,
+ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, const Motion& motion,
                                          const ScanOutput* output) {
-  const bool moving = &T_map_base_begin != &T_map_base_end;
-  check_input(scans, T_map_base_begin, T_map_base_end, moving);
+  check_input(scans, motion);
   std::size_t points = 0;
   for (const SensorScan& scan : scans) points += scan.points.count;
   choose_output(points, output);
 
   ScanResult result;
   const double ground_z = ground_below_base(scans, result);
-  place_map(T_map_base_end, ground_z, result);
-  place_sensors(scans, T_map_base_begin, T_map_base_end, moving);
+  place_map(motion.T_map_base_end, ground_z, result);
+  place_sensors(scans, motion);
   bins_.resize(points);
   run_stages();
   count_labels(result);
@@ -149,15 +151,13 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans,
   return result;
 }
 
-void GroundGrid::Pipeline::check_input(std::span<const SensorScan> scans,
-                                       const Eigen::Isometry3d& T_map_base_begin,
-                                       const Eigen::Isometry3d& T_map_base_end, bool moving) const {
-  check_pose(T_map_base_begin, "T_map_base_begin");
-  check_pose(T_map_base_end, "T_map_base_end");
+void GroundGrid::Pipeline::check_input(std::span<const SensorScan> scans, const Motion& motion) {
+  check_pose(motion.T_map_base_begin, "T_map_base_begin");
+  check_pose(motion.T_map_base_end, "T_map_base_end");
   for (const SensorScan& scan : scans) {
     check_view(scan.points);
     if (scan.T_base_sensor) check_pose(scan.T_base_sensor->isometry(), "T_base_sensor");
-    if (moving && scan.points.time_offset && !(scan.time_end > scan.time_begin))
+    if (motion.within_scan && scan.points.time_offset && !(scan.time_end > scan.time_begin))
       throw std::invalid_argument("SensorScan: time_end must be later than time_begin");
   }
 }
@@ -221,11 +221,9 @@ Eigen::Isometry3d GroundGrid::Pipeline::to_window(const Eigen::Isometry3d& T_map
   return T_window_base;
 }
 
-void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans,
-                                         const Eigen::Isometry3d& T_map_base_begin,
-                                         const Eigen::Isometry3d& T_map_base_end, bool moving) {
-  const Eigen::Isometry3d T_window_begin = to_window(T_map_base_begin);
-  const Eigen::Isometry3d T_window_end = to_window(T_map_base_end);
+void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, const Motion& motion) {
+  const Eigen::Isometry3d T_window_begin = to_window(motion.T_map_base_begin);
+  const Eigen::Isometry3d T_window_end = to_window(motion.T_map_base_end);
   passes_.resize(scans.size());
   positions_.sensors.clear();
   std::size_t first = 0;
@@ -235,7 +233,7 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans,
     pass.points = scans[i].points;
     pass.first = first;
     pass.T_base_sensor = PointTransform(T_base_sensor);
-    if (moving && scans[i].points.time_offset)
+    if (motion.within_scan && scans[i].points.time_offset)
       pass.trajectory.set_moving(T_window_begin, T_window_end, T_base_sensor, scans[i].time_begin,
                                  scans[i].time_end);
     else
@@ -300,19 +298,19 @@ ScanResult GroundGrid::process(const SensorScan& scan, const Eigen::Isometry3d& 
 
 ScanResult GroundGrid::process(std::span<const SensorScan> scans,
                                const Eigen::Isometry3d& T_map_base) {
-  return pipeline_->process(scans, T_map_base, T_map_base, nullptr);
+  return pipeline_->process(scans, {T_map_base, T_map_base, false}, nullptr);
 }
 
 ScanResult GroundGrid::process(std::span<const SensorScan> scans,
                                const Eigen::Isometry3d& T_map_base_begin,
                                const Eigen::Isometry3d& T_map_base_end) {
-  return pipeline_->process(scans, T_map_base_begin, T_map_base_end, nullptr);
+  return pipeline_->process(scans, {T_map_base_begin, T_map_base_end, true}, nullptr);
 }
 
 ScanResult GroundGrid::process(std::span<const SensorScan> scans,
                                const Eigen::Isometry3d& T_map_base_begin,
                                const Eigen::Isometry3d& T_map_base_end, const ScanOutput& output) {
-  return pipeline_->process(scans, T_map_base_begin, T_map_base_end, &output);
+  return pipeline_->process(scans, {T_map_base_begin, T_map_base_end, true}, &output);
 }
 
 void GroundGrid::reset() { pipeline_->reset(); }
