@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,12 @@ class ElevationMap {
   [[nodiscard]] double window_x(double x) const { return (x - anchor_x_) - corner_x(); }
   [[nodiscard]] double window_y(double y) const { return (y - anchor_y_) - corner_y(); }
   [[nodiscard]] double window_z(double z) const { return z - z_origin_; }
+
+  /// The column or row of a window coordinate; the outermost one for coordinates outside.
+  [[nodiscard]] int nearest_cell(float metres) const {
+    const double cell = std::floor(static_cast<double>(metres) / cell_size_);
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(size_ - 1)));
+  }
 
   [[nodiscard]] std::vector<float>& height() { return height_; }
   [[nodiscard]] const std::vector<float>& height() const { return height_; }

@@ -23,11 +23,15 @@ namespace {
 /// Below this cosine of its tilt a base plane says nothing about the ground around it.
 constexpr double kMinUpright = 0.5;
 constexpr double kRigidTolerance = 1e-3;
+/// Further out no double tells one cell from the next.
+constexpr double kMaxPosition_m = 1e9;
 
 void check_pose(const Eigen::Isometry3d& pose, const char* name) {
   const Eigen::Matrix3d rotation = pose.linear();
   if (!pose.matrix().allFinite())
     throw std::invalid_argument(std::string(name) + " holds NaN or infinite values");
+  if (pose.translation().cwiseAbs().maxCoeff() > kMaxPosition_m)
+    throw std::invalid_argument(std::string(name) + " is more than 1e9 m from the origin");
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
   if (error > kRigidTolerance || rotation.determinant() < 0.0)
     throw std::invalid_argument(std::string(name) +
@@ -254,9 +258,8 @@ void GroundGrid::Pipeline::run_stages() {
     envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   const Point3f centre = positions_.sensors.empty() ? Point3f{} : positions_.sensors.front();
-  const auto cell_size = static_cast<float>(map_.cell_size());
-  interpolate(ground_cells_.is_ground(), static_cast<int>(centre.x / cell_size),
-              static_cast<int>(centre.y / cell_size), config_, map_);
+  interpolate(ground_cells_.is_ground(), map_.nearest_cell(centre.x), map_.nearest_cell(centre.y),
+              config_, map_);
   if (config_.threshold_by_column)
     limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
   else

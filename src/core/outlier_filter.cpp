@@ -18,9 +18,10 @@ struct AxisWalk {
   double next;
   double per_cell;
 
-  AxisWalk(double from, double to, double cell_size) {
-    cell = static_cast<int>(std::floor(from / cell_size));
-    last = static_cast<int>(std::floor(to / cell_size));
+  AxisWalk(double from, double to, double cell_size, int size) {
+    // A coordinate just inside the window's edge may round to the cell outside.
+    cell = std::min(static_cast<int>(from / cell_size), size - 1);
+    last = std::min(static_cast<int>(to / cell_size), size - 1);
     step = to > from ? 1 : -1;
     const double length = std::abs(to - from);
     const double border = (cell + (step > 0 ? 1 : 0)) * cell_size;
@@ -43,28 +44,35 @@ float confidence_around(const ElevationMap& map, int column, int row) {
   return sum;
 }
 
+/// NaN is outside.
+bool inside_window(const ElevationMap& map, const Point3f& p) {
+  const double extent = map.size() * map.cell_size();
+  const auto x = static_cast<double>(p.x);
+  const auto y = static_cast<double>(p.y);
+  return x >= 0.0 && x < extent && y >= 0.0 && y < extent;
+}
+
 }  // namespace
 
 bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
                        const Config& config) {
+  if (!inside_window(map, sensor) || !inside_window(map, point)) return true;
   const double cell_size = map.cell_size();
-  AxisWalk x(static_cast<double>(sensor.x), static_cast<double>(point.x), cell_size);
-  AxisWalk y(static_cast<double>(sensor.y), static_cast<double>(point.y), cell_size);
+  AxisWalk x(static_cast<double>(sensor.x), static_cast<double>(point.x), cell_size, map.size());
+  AxisWalk y(static_cast<double>(sensor.y), static_cast<double>(point.y), cell_size, map.size());
   const double z_begin = static_cast<double>(sensor.z);
   const double drop = static_cast<double>(point.z) - z_begin;
   double entry_z = z_begin;
   while (x.cell != x.last || y.cell != y.last) {
     const double leave = std::min(x.next, y.next);
     const double exit_z = z_begin + std::min(leave, 1.0) * drop;
-    if (x.cell >= 0 && x.cell < map.size() && y.cell >= 0 && y.cell < map.size()) {
-      const double surface =
-          static_cast<double>(map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
-      // The confidence comes last: few rays ever dip below the surface.
-      if (surface - std::min(entry_z, exit_z) > config.outlier_tolerance_m &&
-          static_cast<double>(confidence_around(map, x.cell, y.cell)) >=
-              config.outlier_min_confidence)
-        return false;
-    }
+    const auto surface =
+        static_cast<double>(map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
+    // The confidence comes last: few rays ever dip below the surface.
+    if (surface - std::min(entry_z, exit_z) > config.outlier_tolerance_m &&
+        static_cast<double>(confidence_around(map, x.cell, y.cell)) >=
+            config.outlier_min_confidence)
+      return false;
     entry_z = exit_z;
     if (x.next <= y.next)
       x.advance();
