@@ -7,6 +7,13 @@
 
 namespace groundgrid {
 
+/// How drivers write the time of a point.
+enum class TimeType {
+  float32,  ///< Velodyne: seconds from the scan's begin or end.
+  float64,  ///< Seconds.
+  uint32,   ///< Ouster: nanoseconds from the scan's begin.
+};
+
 /// A non-owning view of a point cloud as it lies in memory: `count` records of `stride_bytes`
 /// bytes, with the coordinates as 32-bit floats in metres at the given offsets (any alignment).
 struct PointView {
@@ -16,8 +23,9 @@ struct PointView {
   std::size_t x_offset = 0;
   std::size_t y_offset = 4;
   std::size_t z_offset = 8;
-  /// Offset of a 64-bit float with the time of each point, in the unit of SensorScan's times.
+  /// Offset of the time of each point, where there is one, in the unit of SensorScan's times.
   std::optional<std::size_t> time_offset{};
+  TimeType time_type = TimeType::float64;
 
   /// Packed records of `floats_per_point` floats that begin with x, y, z (KITTI: 4, nuScenes: 5).
   static PointView from_floats(const float* data, std::size_t count, std::size_t floats_per_point) {

@@ -50,7 +50,7 @@ void check_view(const PointView& view) {
   check_offset(view, view.x_offset, sizeof(float), "x");
   check_offset(view, view.y_offset, sizeof(float), "y");
   check_offset(view, view.z_offset, sizeof(float), "z");
-  if (view.time_offset) check_offset(view, *view.time_offset, sizeof(double), "time");
+  if (view.time_offset) check_offset(view, *view.time_offset, size_of(view.time_type), "time");
 }
 
 Eigen::Isometry3d mounting_of(const SensorScan& scan) {

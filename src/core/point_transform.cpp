@@ -1,8 +1,19 @@
 #include "core/point_transform.hpp"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace groundgrid {
+namespace {
+
+template <typename Value>
+Value load(const std::byte* bytes) {
+  Value value;
+  std::memcpy(&value, bytes, sizeof(value));
+  return value;
+}
+
+}  // namespace
 
 PointTransform::PointTransform(const Eigen::Isometry3d& transform) {
   for (int row = 0; row < 3; ++row) {
@@ -38,9 +49,25 @@ void SensorTrajectory::set_moving(const Eigen::Isometry3d& T_window_base_begin,
   }
 }
 
+std::size_t size_of(TimeType type) {
+  return type == TimeType::float64 ? sizeof(double) : sizeof(std::uint32_t);
+}
+
+double load_time(const PointView& view, std::size_t index) {
+  const std::byte* field = view.data + index * view.stride_bytes + *view.time_offset;
+  switch (view.time_type) {
+    case TimeType::float32:
+      return static_cast<double>(load<float>(field));
+    case TimeType::uint32:
+      return static_cast<double>(load<std::uint32_t>(field));
+    case TimeType::float64:
+      break;
+  }
+  return load<double>(field);
+}
+
 PointTransform SensorTrajectory::blend(const PointView& view, std::size_t index) const {
-  double time = 0.0;
-  std::memcpy(&time, view.data + index * view.stride_bytes + *view.time_offset, sizeof(time));
+  const double time = load_time(view, index);
   // Times outside the scan, and NaN, take the nearer end: the point keeps its place in the answer.
   double position = (time - time_begin_) * steps_per_time_;
   if (!(position > 0.0)) position = 0.0;

@@ -40,6 +40,12 @@ inline Point3f load_point(const PointView& view, std::size_t index) {
   return point;
 }
 
+/// Bytes of a point's time.
+std::size_t size_of(TimeType type);
+
+/// The time of a point of a view that has times.
+double load_time(const PointView& view, std::size_t index);
+
 /// Where one sensor was while it took one scan: a fixed transform, or, for scans that are not
 /// motion-corrected, one for every moment, from the poses at the begin and the end. Positions
 /// are interpolated linearly and rotations along the shortest arc (slerp); between the entries
