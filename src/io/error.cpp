@@ -1,0 +1,29 @@
+#include "io/error.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+namespace groundgrid::io {
+namespace {
+
+std::string sentence(const ErrorDetails& details) {
+  std::string text = details.file.string();
+  if (details.line) text += fmt::format(", line {}", *details.line);
+  if (details.offset) text += fmt::format(", byte {}", *details.offset);
+  text += fmt::format(": expected {}, got {}", details.expected, details.got);
+  if (!details.remedy.empty()) text += fmt::format("; {}", details.remedy);
+  return text;
+}
+
+}  // namespace
+
+Error::Error(ErrorDetails details)
+    : std::runtime_error(sentence(details)), details_(std::move(details)) {}
+
+std::string system_message(int error_number) {
+  return std::generic_category().message(error_number);
+}
+
+}  // namespace groundgrid::io

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace groundgrid::io {
+
+/// What is wrong with a file, where, and what to do about it.
+struct ErrorDetails {
+  std::filesystem::path file{};
+  std::optional<std::size_t> line{};       ///< Counted from 1, in text files.
+  std::optional<std::uintmax_t> offset{};  ///< Bytes from the beginning, in binary files.
+  std::string expected{};
+  std::string got{};
+  std::string remedy{};  ///< What the user can do; empty where nothing but another file helps.
+};
+
+/// A file that cannot be read, written or understood. what() is one sentence that names the file,
+/// the place in it, what was expected and found, and then the remedy.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(ErrorDetails details);
+
+  [[nodiscard]] const ErrorDetails& details() const { return details_; }
+
+ private:
+  ErrorDetails details_;
+};
+
+/// The message of an errno value ("Permission denied").
+std::string system_message(int error_number);
+
+}  // namespace groundgrid::io

@@ -1,0 +1,68 @@
+#include "io/number_list.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <stdexcept>
+#include <system_error>
+
+namespace groundgrid::io {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\v\f";
+constexpr double kRigidTolerance = 1e-3;
+
+}  // namespace
+
+std::optional<std::vector<double>> parse_numbers(std::string_view line) {
+  std::vector<double> numbers;
+  for (auto begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;
+       begin = line.find_first_not_of(kBlanks)) {
+    line.remove_prefix(begin);
+    const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    numbers.push_back(number);
+    line.remove_prefix(word.size());
+  }
+  return numbers;
+}
+
+std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows) {
+  using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+  const Rows matrix = Eigen::Map<const Rows>(rows.data());
+  const Eigen::Matrix3d rotation = matrix.leftCols<3>();
+  const Eigen::Matrix3d error = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
+  if (!matrix.allFinite() || error.cwiseAbs().maxCoeff() > kRigidTolerance ||
+      rotation.determinant() < 0.0)
+    return std::nullopt;
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  transform.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
+  transform.translation() = matrix.col(3);
+  return transform;
+}
+
+Eigen::Isometry3d parse_rigid_transform(std::string_view line) {
+  const auto numbers = parse_numbers(line);
+  if (!numbers) throw std::invalid_argument("something that is no number");
+  if (numbers->size() != 12)
+    throw std::invalid_argument(fmt::format("{} numbers", numbers->size()));
+  const auto transform = rigid_transform(*numbers);
+  if (!transform) throw std::invalid_argument("numbers that are no rotation and translation");
+  return *transform;
+}
+
+std::vector<std::string_view> split_lines(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    std::string_view line = text.substr(0, end);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back(line);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return lines;
+}
+
+}  // namespace groundgrid::io

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace groundgrid::io {
+
+/// The numbers in a line of text, separated by blanks and read the same in every locale; nothing
+/// where a word is no number.
+std::optional<std::vector<double>> parse_numbers(std::string_view line);
+
+/// Twelve numbers, row by row [R | t], as a rigid transform. Text holds few digits, so a rotation
+/// that is off by up to 1e-3 in R·Rᵀ is made exact; nothing where it is off by more, is a mirror
+/// image, or a number is not finite.
+std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows);
+
+/// The transform in a line of text. Throws std::invalid_argument whose text is what was found in
+/// place of the twelve numbers of a rigid transform ("11 numbers").
+Eigen::Isometry3d parse_rigid_transform(std::string_view line);
+
+/// The lines of a text, without line ends of either kind.
+std::vector<std::string_view> split_lines(std::string_view text);
+
+}  // namespace groundgrid::io

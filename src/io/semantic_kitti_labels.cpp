@@ -1,0 +1,50 @@
+#include "io/semantic_kitti_labels.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "io/atomic_file.hpp"
+#include "io/error.hpp"
+#include "io/input_file.hpp"
+
+namespace groundgrid::io {
+
+static_assert(std::endian::native == std::endian::little, "labels are read as they lie on disk");
+
+std::uint32_t semantic_kitti_label(Label label) {
+  switch (label) {
+    case Label::ground:
+      return 40;
+    case Label::obstacle:
+      return 99;
+    case Label::outlier:
+      return 1;
+    case Label::unknown:
+      break;
+  }
+  return 0;
+}
+
+void read_labels(const std::filesystem::path& path, const std::filesystem::path& scan,
+                 std::size_t points, std::vector<std::uint32_t>& labels) {
+  constexpr std::size_t kBytesPerLabel = sizeof(std::uint32_t);
+  InputFile file(path);
+  const auto bytes = static_cast<std::size_t>(file.size());
+  if (bytes != points * kBytesPerLabel)
+    throw Error({.file = path,
+                 .expected = fmt::format("{} labels of {} bytes, one for each point of {}", points,
+                                         kBytesPerLabel, scan.string()),
+                 .got = fmt::format("{} bytes, which is {} labels", bytes, bytes / kBytesPerLabel),
+                 .remedy = "the labels are cut short or belong to another scan"});
+  labels.resize(points);
+  file.read(labels.data(), bytes);
+}
+
+void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels) {
+  AtomicFile file(path);
+  file.write(std::as_bytes(labels));
+  file.commit();
+}
+
+}  // namespace groundgrid::io

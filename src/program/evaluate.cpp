@@ -1,0 +1,185 @@
+#include "program/evaluate.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/report.hpp"
+#include "io/bin_scan.hpp"
+#include "io/error.hpp"
+#include "io/scan_sequence.hpp"
+#include "io/semantic_kitti_labels.hpp"
+#include "program/interrupt.hpp"
+#include "program/json_text.hpp"
+#include "program/method_options.hpp"
+#include "program/method_runner.hpp"
+#include "program/standard_output.hpp"
+#include "program/version.hpp"
+
+namespace groundgrid::program {
+namespace {
+
+namespace fs = std::filesystem;
+using evaluation::Report;
+using evaluation::SequenceResult;
+
+struct EvaluateOptions {
+  fs::path dataset;
+  fs::path predictions;
+  std::vector<std::string> sequences;
+  bool leave_unanswered_out = false;
+  bool json = false;
+  bool csv = false;
+  MethodOptions method;
+};
+
+fs::path label_file(const fs::path& folder, const io::ScanFile& scan) {
+  return folder / (scan.name + ".label");
+}
+
+std::size_t label_files_in(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return 0;
+  return static_cast<std::size_t>(std::count_if(
+      fs::directory_iterator(folder), fs::directory_iterator{},
+      [](const fs::directory_entry& entry) { return entry.path().extension() == ".label"; }));
+}
+
+// Figures over a part of the scans would look like figures over all.
+void require_label_files(const fs::path& folder, const io::ScanSequence& sequence) {
+  for (const io::ScanFile& scan : sequence.scans)
+    if (!fs::exists(label_file(folder, scan)))
+      throw io::Error(
+          {.file = label_file(folder, scan),
+           .expected = fmt::format("labels for {}, as for each of the {} scans", scan.path.string(),
+                                   sequence.scans.size()),
+           .got = fmt::format("no such file ({} of them in the folder)", label_files_in(folder))});
+}
+
+std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options) {
+  std::vector<io::ScanSequence> sequences = io::find_sequences(options.dataset, options.sequences);
+  // The test sequences of SemanticKITTI have no labels; named ones must have them.
+  if (options.sequences.empty())
+    std::erase_if(sequences, [](const io::ScanSequence& sequence) {
+      const bool unlabelled = !sequence.plain() && !fs::is_directory(sequence.labels());
+      if (unlabelled) spdlog::warn("sequence {} has no labels and is left out", sequence.name);
+      return unlabelled;
+    });
+  if (sequences.empty() || sequences.front().plain())
+    throw io::Error({.file = options.dataset,
+                     .expected = "a dataset with sequences/NN/velodyne and sequences/NN/labels",
+                     .got = "no labelled sequence"});
+  for (const io::ScanSequence& sequence : sequences)
+    require_label_files(sequence.labels(), sequence);
+  return sequences;
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
+}
+
+SequenceResult run_method(const EvaluateOptions& options, const Config& config,
+                          const io::ScanSequence& sequence) {
+  SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
+  MethodRunner runner(config, sequence, options.method.single_scan());
+  std::vector<std::uint32_t> truth;
+  std::vector<double> milliseconds;
+  for (const io::ScanFile& scan : sequence.scans) {
+    check_interrupt();
+    const ProcessedScan processed = runner.process(scan);
+    io::read_labels(label_file(sequence.labels(), scan), scan.path, processed.labels.size(), truth);
+    figures.metrics.add_scan(processed.points, io::kBinFloatsPerPoint, truth, processed.labels);
+    milliseconds.push_back(processed.milliseconds);
+  }
+  figures.median_ms = median(std::move(milliseconds));
+  spdlog::info("sequence {}: sensor {}", sequence.name, runner.sensor_heights()->words());
+  return figures;
+}
+
+SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSequence& sequence) {
+  const fs::path folder = options.predictions / "sequences" / sequence.name / "predictions";
+  require_label_files(folder, sequence);
+  if (const std::size_t files = label_files_in(folder); files != sequence.scans.size())
+    spdlog::warn("{} holds {} label files, but only {} have a scan", folder.string(), files,
+                 sequence.scans.size());
+  SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
+  std::vector<float> points;
+  std::vector<std::uint32_t> truth;
+  std::vector<std::uint32_t> predicted;
+  for (const io::ScanFile& scan : sequence.scans) {
+    check_interrupt();
+    io::read_bin_scan(scan.path, points);
+    const std::size_t count = points.size() / io::kBinFloatsPerPoint;
+    io::read_labels(label_file(sequence.labels(), scan), scan.path, count, truth);
+    io::read_labels(label_file(folder, scan), scan.path, count, predicted);
+    figures.metrics.add_scan(points, io::kBinFloatsPerPoint, truth, predicted);
+  }
+  return figures;
+}
+
+std::string title_of(const EvaluateOptions& options, const Config& config) {
+  if (!options.predictions.empty())
+    return fmt::format("Predictions in {} against {}", options.predictions.string(),
+                       options.dataset.string());
+  return fmt::format("GroundGrid {}, preset {}, {}, {} thread{}, on {}", version(),
+                     options.method.preset(),
+                     options.method.single_scan() ? "single scans" : "sequences with poses",
+                     config.threads == 0 ? "all" : std::to_string(config.threads),
+                     config.threads == 1 ? "" : "s", options.dataset.string());
+}
+
+void print_report(const EvaluateOptions& options, const Config& config, const Report& report) {
+  if (options.csv) return print_result(evaluation::to_csv(report));
+  if (!options.json) return print_result(evaluation::to_table(report));
+  nlohmann::ordered_json json;
+  json["program"] = "groundgrid";
+  json["version"] = version();
+  json["command"] = "evaluate";
+  json.update(evaluation::to_json(report));
+  if (options.predictions.empty()) {
+    json["preset"] = options.method.preset();
+    json["single_scan"] = options.method.single_scan();
+    json["config"] = to_json(config);
+  }
+  print_result(to_text(json));
+}
+
+void evaluate(const EvaluateOptions& options) {
+  const Config config = options.method.config();
+  Report report{.title = title_of(options, config),
+                .unanswered = options.leave_unanswered_out ? evaluation::Unanswered::left_out
+                                                           : evaluation::Unanswered::as_non_ground};
+  for (const io::ScanSequence& sequence : labelled_sequences(options))
+    report.sequences.push_back(options.predictions.empty() ? run_method(options, config, sequence)
+                                                           : read_predictions(options, sequence));
+  print_report(options, config, report);
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app) {
+  CLI::App* const command =
+      app.add_subcommand("evaluate", "Score the method, or predictions, on labelled scans");
+  const auto options = std::make_shared<EvaluateOptions>();
+  command->add_option("DATASET", options->dataset, "Dataset in SemanticKITTI layout")->required();
+  CLI::Option* const predictions =
+      command->add_option("--predictions", options->predictions,
+                          "Score DIR/sequences/NN/predictions instead of running the method");
+  command->add_option("--sequence", options->sequences, "Only these sequences");
+  command->add_flag("--leave-unanswered-out", options->leave_unanswered_out,
+                    "Count points without an answer nowhere, instead of as non-ground");
+  CLI::Option* const json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--csv", options->csv, "Print CSV")->excludes(json);
+  options->method.add_to(*command);
+  options->method.exclude(predictions);
+  command->callback([options] { evaluate(*options); });
+}
+
+}  // namespace groundgrid::program

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace groundgrid::program {
+
+/// Adds `groundgrid evaluate`: the figures of the method, or of any predictions, on labelled scans.
+void add_evaluate(CLI::App& app);
+
+}  // namespace groundgrid::program

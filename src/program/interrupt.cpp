@@ -1,0 +1,25 @@
+#include "program/interrupt.hpp"
+
+#include <csignal>
+#include <stdexcept>
+
+namespace groundgrid::program {
+namespace {
+
+// A signal handler may touch nothing else.
+volatile std::sig_atomic_t interrupted = 0;  // NOLINT(*-avoid-non-const-global-variables)
+
+void note_interrupt(int /*signal*/) { interrupted = 1; }
+
+}  // namespace
+
+void catch_interrupts() {
+  std::signal(SIGINT, note_interrupt);
+  std::signal(SIGTERM, note_interrupt);
+}
+
+void check_interrupt() {
+  if (interrupted != 0) throw std::runtime_error("interrupted; finished files are kept");
+}
+
+}  // namespace groundgrid::program

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace groundgrid::program {
+
+/// From here on SIGINT and SIGTERM no longer end the process at once: check_interrupt() does it in
+/// good order, between two scans.
+void catch_interrupts();
+
+/// Throws std::runtime_error once one of the two has come, so that files being written are removed.
+void check_interrupt();
+
+}  // namespace groundgrid::program

@@ -1,0 +1,86 @@
+#include "program/run_record.hpp"
+
+#include "program/method_options.hpp"
+#include "program/version.hpp"
+
+namespace groundgrid::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json counts_json(std::size_t scans, const LabelCounts& counts) {
+  return {{"scans", scans},
+          {"points", counts.ground + counts.obstacle + counts.outlier + counts.unknown},
+          {"ground", counts.ground},
+          {"obstacle", counts.obstacle},
+          {"outlier", counts.outlier},
+          {"unknown", counts.unknown}};
+}
+
+Json heights_json(const std::optional<SensorHeights>& heights) {
+  if (!heights) return nullptr;
+  return {
+      {"min_m", heights->least}, {"max_m", heights->greatest}, {"estimated", heights->estimated}};
+}
+
+Json sequence_json(const SequenceRecord& sequence) {
+  Json skipped = Json::array();
+  for (const SkippedScan& scan : sequence.skipped)
+    skipped.push_back({{"file", scan.file.string()}, {"reason", scan.reason}});
+  return {{"sequence", sequence.name.empty() ? Json(nullptr) : Json(sequence.name)},
+          {"folder", sequence.folder.string()},
+          {"counts", counts_json(sequence.scans, sequence.counts)},
+          {"sensor_height", heights_json(sequence.sensor_heights)},
+          {"skipped", skipped}};
+}
+
+}  // namespace
+
+void LabelCounts::add(const ScanResult& result) {
+  ground += result.ground;
+  obstacle += result.obstacle;
+  outlier += result.outlier;
+  unknown += result.unknown;
+}
+
+void LabelCounts::add(const LabelCounts& other) {
+  ground += other.ground;
+  obstacle += other.obstacle;
+  outlier += other.outlier;
+  unknown += other.unknown;
+}
+
+std::size_t RunRecord::scans() const {
+  std::size_t scans = 0;
+  for (const SequenceRecord& sequence : sequences) scans += sequence.scans;
+  return scans;
+}
+
+std::size_t RunRecord::skipped() const {
+  std::size_t skipped = 0;
+  for (const SequenceRecord& sequence : sequences) skipped += sequence.skipped.size();
+  return skipped;
+}
+
+Json to_json(const RunRecord& record) {
+  LabelCounts counts;
+  Json sequences = Json::array();
+  for (const SequenceRecord& sequence : record.sequences) {
+    counts.add(sequence.counts);
+    sequences.push_back(sequence_json(sequence));
+  }
+  return {{"program", "groundgrid"},
+          {"version", version()},
+          {"command", "segment"},
+          {"complete", record.skipped() == 0},
+          {"input", record.input.string()},
+          {"output", record.output.string()},
+          {"preset", record.preset},
+          {"single_scan", record.single_scan},
+          {"config", to_json(record.config)},
+          {"counts", counts_json(record.scans(), counts)},
+          {"skipped_scans", record.skipped()},
+          {"sequences", sequences}};
+}
+
+}  // namespace groundgrid::program

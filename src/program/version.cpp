@@ -1,0 +1,7 @@
+#include "program/version.hpp"
+
+namespace groundgrid::program {
+
+const char* version() { return GROUNDGRID_VERSION; }
+
+}  // namespace groundgrid::program

@@ -1,0 +1,49 @@
+#include "io/number_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace groundgrid::io {
+namespace {
+
+TEST(NumberList, TakesBlanksOfAllKinds) {
+  EXPECT_EQ(parse_numbers("  1 -2.5\t3e-2  \r"), (std::vector<double>{1.0, -2.5, 0.03}));
+  EXPECT_EQ(parse_numbers(" "), std::vector<double>{});
+}
+
+TEST(NumberList, RejectsWords) {
+  EXPECT_FALSE(parse_numbers("1 2x 3"));
+  EXPECT_FALSE(parse_numbers("1,2"));
+}
+
+TEST(NumberList, MakesARoundedRotationExact) {
+  // 0.6 and 0.8 with an error in the fourth digit.
+  const std::array rows{0.6003, -0.8, 0.0, 1.0, 0.8, 0.6, 0.0, 2.0, 0.0, 0.0, 1.0, 3.0};
+  const auto transform = rigid_transform(rows);
+  ASSERT_TRUE(transform);
+  const Eigen::Matrix3d product = transform->linear() * transform->linear().transpose();
+  EXPECT_TRUE(product.isApprox(Eigen::Matrix3d::Identity(), 1e-14));
+  EXPECT_NEAR(transform->linear()(0, 0), 0.6, 5e-4);
+  EXPECT_EQ(transform->translation(), Eigen::Vector3d(1.0, 2.0, 3.0));
+}
+
+TEST(NumberList, RejectsWhatIsNoRotation) {
+  const std::array scaled{1.01, 0., 0., 0., 0., 1.01, 0., 0., 0., 0., 1.01, 0.};
+  const std::array mirrored{1., 0., 0., 0., 0., 1., 0., 0., 0., 0., -1., 0.};
+  const std::array infinite{1., 0., 0., std::numeric_limits<double>::infinity(), 0., 1., 0., 0., 0.,
+                            0., 1., 0.};
+  EXPECT_FALSE(rigid_transform(scaled));
+  EXPECT_FALSE(rigid_transform(mirrored));
+  EXPECT_FALSE(rigid_transform(infinite));
+}
+
+TEST(NumberList, SplitsLinesOfBothKinds) {
+  EXPECT_EQ(split_lines("a\r\n\nb"), (std::vector<std::string_view>{"a", "", "b"}));
+  EXPECT_EQ(split_lines("a\n"), (std::vector<std::string_view>{"a"}));
+  EXPECT_TRUE(split_lines("").empty());
+}
+
+}  // namespace
+}  // namespace groundgrid::io
