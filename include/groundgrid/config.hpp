@@ -63,9 +63,9 @@ struct Config {
   /// Take the class from cells that stand above what the ground around supports.
   bool reject_raised = true;
   /// Steepest rise of the ground from one cell to another, m/m.
-  double envelope_slope = 0.25;
+  double envelope_slope = 0.35;
   /// Greatest step, such as a kerb, above that rise. (m)
-  double envelope_step_m = 0.15;
+  double envelope_step_m = 0.1;
   /// Cells this far below the median around do not support the envelope. (m)
   double envelope_pit_m = 0.3;
 
