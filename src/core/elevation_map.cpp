@@ -37,7 +37,7 @@ void ElevationMap::start(const Plane& ground) {
   first_column_ = lattice_cell(ground.x - anchor_x_) - size_ / 2;
   first_row_ = lattice_cell(ground.y - anchor_y_) - size_ / 2;
   fill(0, size_, 0, size_, ground);
-  started_ = true;
+  started_ = blank_ = true;
 }
 
 void ElevationMap::follow(const Plane& ground) {

@@ -35,6 +35,9 @@ class ElevationMap {
   explicit ElevationMap(const Config& config);
 
   [[nodiscard]] bool started() const { return started_; }
+  /// Whether no scan has come in since the start: no cell has any confidence.
+  [[nodiscard]] bool blank() const { return blank_; }
+  void mark_observed() { blank_ = false; }
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] std::size_t cells() const { return height_.size(); }
   [[nodiscard]] double cell_size() const { return cell_size_; }
@@ -91,6 +94,7 @@ class ElevationMap {
   std::optional<double> fixed_anchor_x_;
   std::optional<double> fixed_anchor_y_;
   bool started_ = false;
+  bool blank_ = true;
   bool anchored_ = false;
   double anchor_x_ = 0.0;
   double anchor_y_ = 0.0;

@@ -35,6 +35,7 @@ CellEstimate fuse_obstacle(const CellEstimate& known, float elevation) {
 
 void update_elevation(const ScanGrid& grid, const GroundCells& ground_cells, const Config& config,
                       TileRunner& runner, ElevationMap& map) {
+  map.mark_observed();
   const auto update_cell = [&](std::size_t i) {
     const GroundCell& seen = ground_cells.cells()[i];
     if (!seen.observed) return;

@@ -93,7 +93,7 @@ void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Conf
       const std::size_t index = pass.first + i;
       labels[index] = Label::unknown;
       const std::uint32_t cell = bins.cell[index];
-      if (cell == BinnedPoints::kNoCell) continue;
+      if (cell == BinnedPoints::kNoCell || map.blank()) continue;
       const float depth = map.height()[cell] - static_cast<float>(bins.z[index]) * step;
       if (depth < min_depth) continue;
       const PointTransform T_window_sensor = pass.trajectory.at(pass.points, i);
