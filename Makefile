@@ -1,0 +1,64 @@
+# The front door: each target installs what it needs, then calls CMake. `make help` lists them.
+.DEFAULT_GOAL := help
+SHELL := /bin/bash
+
+# A dataset in SemanticKITTI/KITTI odometry layout, for `make demo` and `make bench`.
+DATA ?=
+# More for every configure step, e.g. CMAKE_FLAGS=-DGROUNDGRID_WERROR=ON
+CMAKE_FLAGS ?=
+JOBS ?= $(shell nproc)
+
+.PHONY: help test demo bench asan tsan format check-format tidy clean
+.PHONY: build-dependencies lint-dependencies bench-dependencies
+
+help: ## List the targets
+	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /|/' | \
+	  while IFS='|' read -r name text; do printf '  make %-13s %s\n' "$$name" "$$text"; done
+
+test: build-dependencies ## Build everything and run all tests
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS)
+	ctest --preset release
+
+demo: ## Segment and evaluate the scans in DATA=path/to/dataset
+	@scripts/demo.sh --check "$(DATA)"
+	@scripts/install_dependencies.sh build
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
+	@scripts/demo.sh "$(DATA)"
+
+bench: bench-dependencies ## Time every stage and the whole scan: medians of several repetitions
+	cmake --preset bench $(CMAKE_FLAGS)
+	cmake --build --preset bench --parallel $(JOBS) --target groundgrid_benchmarks
+	$(if $(DATA),GROUNDGRID_DATA="$(DATA)") build/bench/benchmarks/groundgrid_benchmarks \
+	  --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
+
+asan tsan: build-dependencies
+	cmake --preset $@ $(CMAKE_FLAGS)
+	cmake --build --preset $@ --parallel $(JOBS)
+	ctest --preset $@
+
+asan: ## The tests under AddressSanitizer and UndefinedBehaviorSanitizer
+tsan: ## The tests under ThreadSanitizer
+
+format: lint-dependencies ## Format all sources with clang-format 14
+	@scripts/sources.sh | xargs clang-format-14 -i
+
+check-format: lint-dependencies ## Fail where a source is not formatted
+	@scripts/sources.sh | xargs clang-format-14 --dry-run --Werror
+
+tidy: build-dependencies lint-dependencies ## Check src and include with clang-tidy 14
+	cmake --preset release $(CMAKE_FLAGS)
+	scripts/tidy.sh build/release $(JOBS)
+
+clean: ## Remove all that was built
+	rm -rf build
+
+build-dependencies:
+	@scripts/install_dependencies.sh build
+
+lint-dependencies:
+	@scripts/install_dependencies.sh lint
+
+bench-dependencies:
+	@scripts/install_dependencies.sh build bench

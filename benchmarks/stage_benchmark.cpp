@@ -1,0 +1,156 @@
+// Each stage alone, on one thread, with the map and the buffers as a drive leaves them.
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "core/cell_limits.hpp"
+#include "core/elevation_map.hpp"
+#include "core/ground_cells.hpp"
+#include "core/ground_elevation.hpp"
+#include "core/ground_envelope.hpp"
+#include "core/interpolation.hpp"
+#include "core/outlier_filter.hpp"
+#include "core/parallel.hpp"
+#include "core/rasterization.hpp"
+#include "core/segmentation.hpp"
+#include "drives.hpp"
+
+namespace groundgrid::benchmarks {
+namespace {
+
+/// The stages in the order of the paper, each of them to be called on its own.
+class Stages {
+ public:
+  explicit Stages(const Config& config)
+      : config_(config),
+        map_(config),
+        grid_(map_.cells()),
+        cells_(map_.cells()),
+        envelope_(map_),
+        limits_(map_.cells()) {
+    for (const TimedScan& scan : drive().scans) {
+      take(scan);
+      run_all();
+    }
+    // The map as the last scan finds it, for the stages that change it.
+    take(drive().scans.back());
+    map_before_ = map_;
+    bin();
+    filter();
+    rasterise();
+    classify();
+    reject_raised();
+    update();
+    map_updated_ = map_;
+    interpolate_map();
+    choose_limits();
+  }
+
+  void bin() { bin_points(pass_, map_, config_, runner_, bins_); }
+  void filter() { filter_outliers(pass_, map_, config_, bins_, runner_, labels_); }
+  void rasterise() { rasterize(bins_, labels_, runner_, grid_); }
+  void classify() { cells_.classify(grid_, map_, positions_, config_, runner_); }
+  void reject_raised() {
+    if (config_.reject_raised) envelope_.reject_raised(grid_, map_, ground_, config_, cells_);
+  }
+  void update() { update_elevation(grid_, cells_, config_, runner_, map_); }
+  void interpolate_map() {
+    const Point3f sensor = positions_.sensors.front();
+    interpolate(cells_.is_ground(), map_.nearest_cell(sensor.x), map_.nearest_cell(sensor.y),
+                config_, map_);
+  }
+  void choose_limits() {
+    if (config_.threshold_by_column)
+      limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
+    else
+      limits_.choose_by_class(grid_, cells_.is_ground(), map_, config_);
+  }
+  void segment_points() { segment(bins_, limits_, map_, runner_, labels_, heights_); }
+
+  void restore_map_before() { map_ = map_before_; }
+  void restore_map_updated() { map_ = map_updated_; }
+  [[nodiscard]] std::size_t points() const { return pass_.points.count; }
+
+ private:
+  void take(const TimedScan& scan) {
+    const Eigen::Vector3d position = scan.T_map_lidar.translation();
+    ground_ = {position.x(), position.y(), position.z() - 1.73, 0.0, 0.0};
+    map_.started() ? map_.follow(ground_) : map_.start(ground_);
+    Eigen::Isometry3d T_window_sensor = scan.T_map_lidar;
+    T_window_sensor.translation() << map_.window_x(position.x()), map_.window_y(position.y()),
+        map_.window_z(position.z());
+    pass_.points = scan.scan().points;
+    pass_.trajectory.set_fixed(T_window_sensor);
+    positions_.sensors = {pass_.trajectory.end().origin()};
+    bins_.resize(scan.size());
+    labels_.resize(scan.size());
+    heights_.resize(scan.size());
+  }
+
+  void run_all() {
+    bin();
+    filter();
+    rasterise();
+    classify();
+    reject_raised();
+    update();
+    interpolate_map();
+    choose_limits();
+    segment_points();
+  }
+
+  Config config_;
+  TileRunner runner_{1};
+  ElevationMap map_;
+  ElevationMap map_before_{map_};
+  ElevationMap map_updated_{map_};
+  Plane ground_;
+  ScanGrid grid_;
+  GroundCells cells_;
+  GroundEnvelope envelope_;
+  CellLimits limits_;
+  BinnedPoints bins_;
+  SensorPass pass_;
+  SensorPositions positions_;
+  std::vector<Label> labels_;
+  std::vector<float> heights_;
+};
+
+using Stage = void (Stages::*)();
+
+/// Times one stage; `prepare`, where given, puts back what it changes and is not timed.
+void stage(benchmark::State& state, const Config& config, Stage run, Stage prepare) {
+  Stages stages(config);
+  for ([[maybe_unused]] const auto iteration : state) {
+    if (prepare != nullptr) {
+      state.PauseTiming();
+      (stages.*prepare)();
+      state.ResumeTiming();
+    }
+    (stages.*run)();
+    benchmark::ClobberMemory();
+  }
+  state.SetLabel(drive().source);
+  state.counters["points"] = static_cast<double>(stages.points());
+}
+
+void add(const char* name, const Config& config, Stage run, Stage prepare = nullptr) {
+  benchmark::RegisterBenchmark(name, stage, config, run, prepare)->Unit(benchmark::kMillisecond);
+}
+
+const bool kRegistered = [] {
+  add("stage/bin_points", Config{}, &Stages::bin);
+  add("stage/filter_outliers", Config{}, &Stages::filter, &Stages::restore_map_before);
+  add("stage/filter_outliers/paper", Config::paper(), &Stages::filter, &Stages::restore_map_before);
+  add("stage/rasterize", Config{}, &Stages::rasterise);
+  add("stage/classify", Config{}, &Stages::classify);
+  add("stage/reject_raised", Config{}, &Stages::reject_raised, &Stages::classify);
+  add("stage/update_elevation", Config{}, &Stages::update, &Stages::restore_map_before);
+  add("stage/interpolate", Config{}, &Stages::interpolate_map, &Stages::restore_map_updated);
+  add("stage/choose_limits", Config{}, &Stages::choose_limits);
+  add("stage/segment", Config{}, &Stages::segment_points);
+  return true;
+}();
+
+}  // namespace
+}  // namespace groundgrid::benchmarks

@@ -1,0 +1,109 @@
+// Once warm, process() allocates nothing: counted by replacing the global operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "groundgrid/ground_grid.hpp"
+#include "support/drive.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t bytes, std::size_t alignment) {
+  ++allocations;
+  const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
+  void* memory = std::aligned_alloc(alignment, size == 0 ? alignment : size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new[](std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void* operator new[](std::size_t bytes, std::align_val_t alignment) {
+  return counted(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace groundgrid {
+namespace {
+
+using testing::DriveScan;
+using testing::street_drive;
+
+std::size_t allocations_once_warm(const Config& config) {
+  const std::vector<DriveScan> drive = street_drive(6);
+  GroundGrid grid(config);
+  const auto pass = [&] {
+    for (const DriveScan& scan : drive) grid.process(scan.scan(), scan.T_map_base);
+  };
+  pass();
+  const std::size_t before = allocations;
+  pass();
+  return allocations - before;
+}
+
+TEST(Allocation, IsCounted) {
+  const std::size_t before = allocations;
+  const std::vector<int> vector(100);
+  EXPECT_EQ(allocations, before + 1);
+}
+
+TEST(Allocation, ProcessAllocatesNothingOnceWarm) {
+  EXPECT_EQ(allocations_once_warm(Config{}), 0U);
+  EXPECT_EQ(allocations_once_warm(Config::paper()), 0U);
+}
+
+#ifndef GROUNDGRID_STD_THREAD
+TEST(Allocation, ProcessOnTwoThreadsAllocatesNothingOnceWarm) {
+  Config config;
+  config.threads = 2;
+  EXPECT_EQ(allocations_once_warm(config), 0U);
+}
+#endif
+
+TEST(Allocation, CorrectionOfMotionAllocatesNothingOnceWarm) {
+  const Eigen::Isometry3d begin = testing::pose(0.0, 0.0, 0.0);
+  const Eigen::Isometry3d end = testing::pose(1.0, 0.0, 0.0, 5.0);
+  const testing::SimulatedScan simulated =
+      testing::cast_scan({}, {}, begin, end, testing::pose(0.0, 0.0, 1.75), 1);
+  SensorScan scan;
+  scan.points = simulated.view();
+  scan.T_base_sensor = testing::pose(0.0, 0.0, 1.75);
+  scan.time_end = 0.1;
+  GroundGrid grid;
+  const std::span<const SensorScan> scans(&scan, 1);
+  grid.process(scans, begin, end);
+  const std::size_t before = allocations;
+  grid.process(scans, begin, end);
+  EXPECT_EQ(allocations - before, 0U);
+}
+
+TEST(Allocation, ResetKeepsTheBuffers) {
+  const std::vector<DriveScan> drive = street_drive(1);
+  Config config;
+  config.sensor_height_m = 1.75;  // an estimate of the height may allocate
+  GroundGrid grid(config);
+  grid.process(drive[0].scan());
+  const std::size_t before = allocations;
+  grid.reset();
+  grid.process(drive[0].scan());
+  EXPECT_EQ(allocations - before, 0U);
+}
+
+}  // namespace
+}  // namespace groundgrid

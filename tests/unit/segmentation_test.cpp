@@ -1,0 +1,59 @@
+// Paper III-F: the thresholds h_g and h_o.
+#include "core/segmentation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/stages.hpp"
+
+namespace groundgrid {
+namespace {
+
+using testing::cell_index;
+using testing::flat_map;
+using testing::metre_grid;
+using testing::PointsInCells;
+
+TEST(Segment, ComparesWithTheThresholdOfTheCellsKind) {
+  const Config config = metre_grid(11);  // h_g = 0.3 m, h_o = 0.1 m
+  ElevationMap map = flat_map(config);
+  const std::size_t ground_cell = cell_index(map, 2, 2);
+  const std::size_t other_cell = cell_index(map, 7, 2);
+  map.height()[ground_cell] = 0.5F;
+  map.height()[other_cell] = -0.5F;
+  std::vector<std::uint8_t> is_ground(map.cells());
+  is_ground[ground_cell] = 1;
+
+  PointsInCells points(map);
+  points.add(2, 2, {0.799, 0.801, -3.0});
+  points.add(7, 2, {-0.401, -0.399});
+  std::vector<Label> labels(5, Label::unknown);
+  std::vector<float> heights(5);
+  TileRunner runner(1);
+  CellLimits limits(map.cells());
+  limits.choose_by_class(points.grid(), is_ground, map, config);
+  segment(points.bins(), limits, map, runner, labels, heights);
+
+  EXPECT_EQ(labels, (std::vector<Label>{Label::ground, Label::obstacle, Label::ground,
+                                        Label::ground, Label::obstacle}));
+  const std::vector<float> expected{0.299F, 0.301F, -3.5F, 0.099F, 0.101F};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(heights[i], expected[i], 1e-5F);
+}
+
+TEST(Segment, LeavesOutliersAndPointsWithoutACellAlone) {
+  const ElevationMap map = flat_map(metre_grid(11));
+  BinnedPoints bins;
+  bins.cell = {0, BinnedPoints::kNoCell};
+  bins.z = {-15000, 0};
+  std::vector<Label> labels{Label::outlier, Label::unknown};
+  std::vector<float> heights(2);
+  TileRunner runner(1);
+  segment(bins, CellLimits(map.cells()), map, runner, labels, heights);
+  EXPECT_EQ(labels, (std::vector<Label>{Label::outlier, Label::unknown}));
+  EXPECT_NEAR(heights[0], -1.5F, 1e-5F);
+  EXPECT_TRUE(std::isnan(heights[1]));
+}
+
+}  // namespace
+}  // namespace groundgrid
