@@ -17,17 +17,21 @@ namespace groundgrid {
 /// next process() or reset() of the same object.
 struct ScanResult {
   std::span<const Label> labels;
-  /// Metres above the estimated terrain; NaN where the label is unknown.
+  /// Metres above the ground level that the label was chosen by: the terrain's height or, by
+  /// column (Config::threshold_by_column), the mean of the ground points around, some centimetres
+  /// above it. For outliers the terrain's height. NaN where the label is unknown.
   std::span<const float> height_above_ground;
   std::size_t ground = 0;
   std::size_t obstacle = 0;
   std::size_t outlier = 0;
   std::size_t unknown = 0;
-  /// Height of the first sensor above the ground in use, metres.
-  double sensor_height_m = 0.0;
+  /// Height of the first sensor above the ground in use, metres; nothing where none is given and
+  /// no scan so far showed the ground.
+  std::optional<double> sensor_height_m;
   /// True where sensor_height_m was estimated from a scan and not given.
   bool sensor_height_estimated = false;
-  /// True where the pose jumped by more than Config::pose_jump_m and the map was started anew.
+  /// True where the pose jumped by more than Config::pose_jump_m and the map was started anew. Not
+  /// while the ground is still to be found: until then every scan starts the map anew.
   bool map_restarted = false;
 };
 
@@ -44,7 +48,7 @@ struct ScanOutput {
 /// Frames: base is the vehicle's frame, x forward, z up; map has z against gravity. T_a_b takes
 /// coordinates of b into a. Two objects share nothing and may run in two threads; one object is
 /// for one thread at a time. Labels and terrain are the same bits for any number of threads and
-/// any order of the points. Once warm, process() allocates nothing.
+/// any order of the points. Once warm and once the ground is found, process() allocates nothing.
 class GroundGrid {
  public:
   /// Throws std::invalid_argument where config.validate() does.
@@ -55,8 +59,9 @@ class GroundGrid {
   GroundGrid(const GroundGrid&) = delete;
   GroundGrid& operator=(const GroundGrid&) = delete;
 
-  /// Takes one scan. Throws std::invalid_argument where a pose is not finite or not rigid or a
-  /// view's offsets do not fit its stride; the map is untouched then.
+  /// Takes one scan. Throws std::invalid_argument, with the map untouched, where a pose or mounting
+  /// is not finite, not rigid or more than 1e9 m from the origin, where a view's data is null or
+  /// its offsets do not fit its stride, and for more than 4194304 points. Point times are not used.
   ScanResult process(const SensorScan& scan,
                      const Eigen::Isometry3d& T_map_base = Eigen::Isometry3d::Identity());
 
@@ -64,7 +69,9 @@ class GroundGrid {
   ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base);
 
   /// Takes scans that are not motion-corrected: every point is moved by the pose interpolated at
-  /// its time between the scan's time_begin and time_end. The map follows T_map_base_end.
+  /// its time between the scan's time_begin and time_end; points of scans without times by the pose
+  /// at the end. The map follows T_map_base_end. Throws also where time_end is not later than
+  /// time_begin and where the poses are further apart than Config::pose_jump_m.
   ScanResult process(std::span<const SensorScan> scans, const Eigen::Isometry3d& T_map_base_begin,
                      const Eigen::Isometry3d& T_map_base_end);
 
@@ -86,8 +93,11 @@ class GroundGrid {
   std::unique_ptr<Pipeline> pipeline_;
 };
 
-/// Height of a level sensor above the ground around it, from one scan in the sensor's frame;
-/// nothing where the scan shows no flat ground below the sensor. See docs/method.md.
-std::optional<double> estimate_sensor_height(const PointView& points);
+/// Height in metres of a roughly level sensor above the ground around it, from one scan in the
+/// sensor's frame; nothing where the scan shows no flat ground up to 8 m below the sensor. Points
+/// nearer than Config::min_range_m and in the own vehicle's box (taken to be in the sensor's frame)
+/// do not count. Throws std::invalid_argument where the view's offsets do not fit its stride. See
+/// docs/method.md.
+std::optional<double> estimate_sensor_height(const PointView& points, const Config& config = {});
 
 }  // namespace groundgrid

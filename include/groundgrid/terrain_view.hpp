@@ -22,23 +22,16 @@ struct TerrainCell {
 struct CellStatistics {
   static constexpr double kStep_m = 1e-4;
 
-  std::int64_t sum = 0;          ///< Sum of heights, steps.
-  std::int64_t sum_squares = 0;  ///< Sum of squared heights, steps².
-  std::int32_t min = 0;          ///< Lowest height, steps.
-  std::int32_t max = 0;          ///< Highest height, steps.
-  std::uint32_t count = 0;       ///< Number of points.
+  std::int64_t sum = 0;           ///< Sum of heights, steps.
+  std::uint64_t sum_squares = 0;  ///< Sum of squared heights, steps².
+  std::int32_t min = 0;           ///< Lowest height, steps.
+  std::int32_t max = 0;           ///< Highest height, steps.
+  std::uint32_t count = 0;        ///< Number of points.
 
   /// Mean height in metres above the origin; NaN without points.
-  [[nodiscard]] double mean_m() const {
-    return static_cast<double>(sum) / static_cast<double>(count) * kStep_m;
-  }
+  [[nodiscard]] double mean_m() const;
   /// Population variance in m²; NaN without points.
-  [[nodiscard]] double variance_m2() const {
-    const double n = static_cast<double>(count);
-    const double mean = static_cast<double>(sum) / n;
-    const double variance = static_cast<double>(sum_squares) / n - mean * mean;
-    return (variance < 0.0 ? 0.0 : variance) * kStep_m * kStep_m;
-  }
+  [[nodiscard]] double variance_m2() const;
 };
 
 /// A read-only view of the rolling map: size × size square cells, row by row, x fastest.
@@ -54,6 +47,7 @@ struct TerrainView {
   std::span<const float> confidence{};       ///< 0 to 1.
   std::span<const CellStatistics> statistics{};
 
+  /// One cell. Throws std::out_of_range where column or row is not in [0, size).
   [[nodiscard]] TerrainCell cell(int column, int row) const;
 };
 

@@ -16,8 +16,11 @@ constexpr float kCellWeight = 20.0F;
 // Weight of "no offset", in points.
 constexpr float kNoOffsetWeight = 3.0F;
 
+/// Heights that leave 32 bits are cut off: no point is that far from the z origin.
 std::int32_t steps(double metres) {
-  return static_cast<std::int32_t>(std::lround(metres / CellStatistics::kStep_m));
+  constexpr double kMost = 1e9;
+  return static_cast<std::int32_t>(
+      std::lround(std::clamp(metres / CellStatistics::kStep_m, -kMost, kMost)));
 }
 
 }  // namespace
@@ -86,17 +89,16 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, std::span<const Labe
   const auto free_threshold = static_cast<float>(config.ground_threshold_m);
   const auto tall_threshold = static_cast<float>(config.tall_threshold_m);
   const int size = map.size();
-  const std::size_t cells = grid.occupied.size();
-  runner.parallel_for_tiles((cells + kCellsPerTile - 1) / kCellsPerTile, [&](std::size_t tile) {
-    const std::size_t end = std::min((tile + 1) * kCellsPerTile, cells);
-    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) {
+  const auto choose = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t cell = grid.occupied[i];
       const int row = static_cast<int>(cell) / size;
       const int column = static_cast<int>(cell) % size;
       limits_[cell] = {map.height()[cell] + mean_offset(column, row, size),
                        columns_[cell].rising ? tall_threshold : free_threshold};
     }
-  });
+  };
+  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, choose);
 }
 
 }  // namespace groundgrid

@@ -23,14 +23,23 @@ std::optional<double> value_of(const Config& config, const Parameter& parameter)
 
 Config Config::paper() {
   Config config;
-  config.outlier_min_confidence = 1.25;
-  config.outlier_min_depth_m = -1e6;
+  // Section IV-A, in its order; all of it, so that a change of the default changes nothing here.
+  config.cell_size_m = 0.33;
   config.variance_distance_factor = 1e-5;
   config.min_variance_threshold = 5e-5;
-  config.patch_change_distance_m = 20.0;
-  config.own_variance_min_points = 10;
-  config.reject_raised = false;
+  config.confidence_decay = 5.0;
+  config.min_point_fraction = 0.25;
+  config.outlier_min_confidence = 1.25;
   config.ground_threshold_m = 0.3;
+  config.obstacle_threshold_m = 0.1;
+  config.confidence_point_scale = 20.0;
+  config.outlier_tolerance_m = 0.1;
+  config.patch_change_distance_m = 20.0;
+  config.point_angle_deg = 0.4;
+  config.own_variance_min_points = 10;
+  // What is not in the paper.
+  config.outlier_min_depth_m = -1e6;
+  config.reject_raised = false;
   config.threshold_by_column = false;
   return config;
 }
@@ -44,9 +53,10 @@ void Config::validate() const {
             << parameter.max;
     throw std::invalid_argument(message.str());
   }
-  if (map_extent_m / cell_size_m > 8192.0 || map_extent_m < 9.0 * cell_size_m)
+  if (map_extent_m / cell_size_m > 4096.0 || map_extent_m < 9.0 * cell_size_m)
     throw std::invalid_argument(
-        "map_extent_m: the map must be 9 to 8192 cells wide; choose another cell_size_m");
+        "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 150 bytes); choose "
+        "another cell_size_m");
 }
 
 }  // namespace groundgrid

@@ -9,6 +9,9 @@ namespace {
 // precision, and rounding by the step is rare.
 constexpr double kZOriginStep_m = 64.0;
 
+/// The whole steps in an offset; less than a whole one is none.
+double steps_to(double offset) { return std::trunc(offset / kZOriginStep_m) * kZOriginStep_m; }
+
 }  // namespace
 
 int window_half_size(const Config& config) {
@@ -28,12 +31,13 @@ ElevationMap::ElevationMap(const Config& config)
 void ElevationMap::anchor(const Plane& ground) {
   anchor_x_ = fixed_anchor_x_.value_or(ground.x);
   anchor_y_ = fixed_anchor_y_.value_or(ground.y);
+  anchor_z_ = ground.z;
   anchored_ = true;
 }
 
 void ElevationMap::start(const Plane& ground) {
   if (!anchored_) anchor(ground);
-  z_origin_ = ground.z;
+  z_offset_ = steps_to(window_z(ground.z) + z_offset_);
   first_column_ = lattice_cell(ground.x - anchor_x_) - size_ / 2;
   first_row_ = lattice_cell(ground.y - anchor_y_) - size_ / 2;
   fill(0, size_, 0, size_, ground);
@@ -41,7 +45,7 @@ void ElevationMap::start(const Plane& ground) {
 }
 
 void ElevationMap::follow(const Plane& ground) {
-  if (std::abs(ground.z - z_origin_) > kZOriginStep_m) move_z_origin(ground.z);
+  follow_z(ground.z);
   const std::int64_t columns = lattice_cell(ground.x - anchor_x_) - size_ / 2 - first_column_;
   const std::int64_t rows = lattice_cell(ground.y - anchor_y_) - size_ / 2 - first_row_;
   if (columns == 0 && rows == 0) return;
@@ -50,6 +54,7 @@ void ElevationMap::follow(const Plane& ground) {
   const auto limit = static_cast<std::int64_t>(size_);
   if (std::abs(columns) >= limit || std::abs(rows) >= limit) {
     fill(0, size_, 0, size_, ground);
+    blank_ = true;
     return;
   }
   shift(columns, rows);
@@ -87,7 +92,7 @@ void ElevationMap::fill(int column_begin, int column_end, int row_begin, int row
                         const Plane& ground) {
   const double x0 = 0.5 * cell_size_ - window_x(ground.x);
   const double y0 = 0.5 * cell_size_ - window_y(ground.y);
-  const double z0 = window_z(ground.z);
+  const double z0 = window_z(ground.z) + ground.offset;
   for (int row = row_begin; row < row_end; ++row) {
     const double z_row = z0 + ground.slope_y * (y0 + row * cell_size_);
     for (int column = column_begin; column < column_end; ++column) {
@@ -99,10 +104,10 @@ void ElevationMap::fill(int column_begin, int column_end, int row_begin, int row
   }
 }
 
-void ElevationMap::move_z_origin(double z) {
-  const double steps = std::round((z - z_origin_) / kZOriginStep_m);
-  const double offset = steps * kZOriginStep_m;
-  z_origin_ += offset;
+void ElevationMap::follow_z(double z) {
+  const double offset = steps_to(window_z(z));
+  if (offset == 0.0) return;
+  z_offset_ += offset;
   const auto shift_by = static_cast<float>(offset);
   for (float& height : height_) height -= shift_by;
 }

@@ -11,17 +11,14 @@
 
 namespace groundgrid {
 
-/// A plane z(x, y) in the map frame, e.g. the ground plane under the vehicle.
+/// A plane z(x, y) in the map frame: the ground under a vehicle whose base is at (x, y, z).
 struct Plane {
   double x = 0.0;
   double y = 0.0;
   double z = 0.0;
   double slope_x = 0.0;
   double slope_y = 0.0;
-
-  [[nodiscard]] double height_at(double px, double py) const {
-    return z + slope_x * (px - x) + slope_y * (py - y);
-  }
+  double offset = 0.0;  ///< Of the plane over z, at (x, y). Apart, so that x, y, z stay the pose's.
 };
 
 /// The rolling elevation map: what is known of the ground around the vehicle (paper III, intro).
@@ -55,13 +52,13 @@ class ElevationMap {
   /// Map frame coordinates of the window's corner and of height 0.
   [[nodiscard]] double min_x() const { return anchor_x_ + corner_x(); }
   [[nodiscard]] double min_y() const { return anchor_y_ + corner_y(); }
-  [[nodiscard]] double z_origin() const { return z_origin_; }
+  [[nodiscard]] double z_origin() const { return anchor_z_ + z_offset_; }
 
   /// Map to window frame. The anchor goes first: a world moved by a vector that is exact in
   /// double then gives the same bits.
   [[nodiscard]] double window_x(double x) const { return (x - anchor_x_) - corner_x(); }
   [[nodiscard]] double window_y(double y) const { return (y - anchor_y_) - corner_y(); }
-  [[nodiscard]] double window_z(double z) const { return z - z_origin_; }
+  [[nodiscard]] double window_z(double z) const { return (z - anchor_z_) - z_offset_; }
 
   /// The column or row of a window coordinate; the outermost one for coordinates outside.
   [[nodiscard]] int nearest_cell(float metres) const {
@@ -87,7 +84,7 @@ class ElevationMap {
   void anchor(const Plane& ground);
   void shift(std::int64_t columns, std::int64_t rows);
   void fill(int column_begin, int column_end, int row_begin, int row_end, const Plane& ground);
-  void move_z_origin(double z);
+  void follow_z(double z);
 
   int size_;
   double cell_size_;
@@ -98,7 +95,8 @@ class ElevationMap {
   bool anchored_ = false;
   double anchor_x_ = 0.0;
   double anchor_y_ = 0.0;
-  double z_origin_ = 0.0;
+  double anchor_z_ = 0.0;
+  double z_offset_ = 0.0;          // of the z origin over the anchor, whole steps
   std::int64_t first_column_ = 0;  // lattice cell of the window's column 0
   std::int64_t first_row_ = 0;
   std::vector<float> height_;

@@ -10,8 +10,6 @@ namespace {
 
 constexpr std::size_t kCellsPerTile = 1024;
 
-std::size_t tiles_of(std::size_t cells) { return (cells + kCellsPerTile - 1) / kCellsPerTile; }
-
 /// Paper III-C: whether a cell has its share of the points expected by eq. 2.
 bool has_enough_points(double points, double distance_m, const Config& config) {
   // atan(x) <= x settles most cells without the arc tangent.
@@ -54,9 +52,8 @@ void GroundCells::summarise(const ScanGrid& grid, TileRunner& runner) {
   }
   summarised_ = grid.occupied;
   cells_.assign(grid.occupied.size(), GroundCell{});
-  runner.parallel_for_tiles(tiles_of(grid.occupied.size()), [&](std::size_t tile) {
-    const std::size_t end = std::min((tile + 1) * kCellsPerTile, grid.occupied.size());
-    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) {
+  const auto summarise_cells = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const CellStatistics& cell = grid.statistics[grid.occupied[i]];
       const auto points = static_cast<float>(cell.count);
       const auto variance = static_cast<float>(cell.variance_m2());
@@ -64,7 +61,8 @@ void GroundCells::summarise(const ScanGrid& grid, TileRunner& runner) {
           static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
       weighted_[grid.occupied[i]] = {points, points * min_height, points * variance, variance};
     }
-  });
+  };
+  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, summarise_cells);
 }
 
 GroundCells::Weighted GroundCells::sum_patch(int column, int row, int half, int size) const {
@@ -111,10 +109,10 @@ void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
                     static_cast<double>(answer.variance) < variance_threshold(distance, config);
     is_ground_[cell] = answer.ground ? 1 : 0;
   };
-  runner.parallel_for_tiles(tiles_of(grid.occupied.size()), [&](std::size_t tile) {
-    const std::size_t end = std::min((tile + 1) * kCellsPerTile, grid.occupied.size());
-    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) classify_cell(i);
-  });
+  const auto classify_cells = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) classify_cell(i);
+  };
+  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, classify_cells);
 }
 
 }  // namespace groundgrid

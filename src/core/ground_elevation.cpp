@@ -35,7 +35,6 @@ CellEstimate fuse_obstacle(const CellEstimate& known, float elevation) {
 
 void update_elevation(const ScanGrid& grid, const GroundCells& ground_cells, const Config& config,
                       TileRunner& runner, ElevationMap& map) {
-  map.mark_observed();
   const auto update_cell = [&](std::size_t i) {
     const GroundCell& seen = ground_cells.cells()[i];
     if (!seen.observed) return;
@@ -48,11 +47,10 @@ void update_elevation(const ScanGrid& grid, const GroundCells& ground_cells, con
     map.height()[cell] = fused.height;
     map.confidence()[cell] = fused.confidence;
   };
-  const std::size_t cells = grid.occupied.size();
-  runner.parallel_for_tiles((cells + kCellsPerTile - 1) / kCellsPerTile, [&](std::size_t tile) {
-    const std::size_t end = std::min((tile + 1) * kCellsPerTile, cells);
-    for (std::size_t i = tile * kCellsPerTile; i < end; ++i) update_cell(i);
-  });
+  const auto update_cells = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) update_cell(i);
+  };
+  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, update_cells);
 }
 
 }  // namespace groundgrid

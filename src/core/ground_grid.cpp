@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "core/cell_limits.hpp"
@@ -11,6 +10,7 @@
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
 #include "core/ground_envelope.hpp"
+#include "core/input_checks.hpp"
 #include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
 #include "core/parallel.hpp"
@@ -22,57 +22,20 @@ namespace {
 
 /// Below this cosine of its tilt a base plane says nothing about the ground around it.
 constexpr double kMinUpright = 0.5;
-constexpr double kRigidTolerance = 1e-3;
-/// Further out no double tells one cell from the next.
-constexpr double kMaxPosition_m = 1e9;
-
-void check_pose(const Eigen::Isometry3d& pose, const char* name) {
-  const Eigen::Matrix3d rotation = pose.linear();
-  if (!pose.matrix().allFinite())
-    throw std::invalid_argument(std::string(name) + " holds NaN or infinite values");
-  if (pose.translation().cwiseAbs().maxCoeff() > kMaxPosition_m)
-    throw std::invalid_argument(std::string(name) + " is more than 1e9 m from the origin");
-  const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
-  if (error > kRigidTolerance || rotation.determinant() < 0.0)
-    throw std::invalid_argument(std::string(name) +
-                                " is not rigid: its rotation is not orthonormal");
-}
-
-void check_offset(const PointView& view, std::size_t offset, std::size_t bytes, const char* name) {
-  if (offset > view.stride_bytes || view.stride_bytes - offset < bytes)
-    throw std::invalid_argument(std::string("PointView: the offset of ") + name +
-                                " does not fit into stride_bytes");
-}
-
-void check_view(const PointView& view) {
-  if (view.count == 0) return;
-  if (view.data == nullptr) throw std::invalid_argument("PointView: data is null");
-  check_offset(view, view.x_offset, sizeof(float), "x");
-  check_offset(view, view.y_offset, sizeof(float), "y");
-  check_offset(view, view.z_offset, sizeof(float), "z");
-  if (view.time_offset) check_offset(view, *view.time_offset, size_of(view.time_type), "time");
-}
-
 Eigen::Isometry3d mounting_of(const SensorScan& scan) {
   return scan.T_base_sensor ? scan.T_base_sensor->isometry() : Eigen::Isometry3d::Identity();
 }
 
-/// Where base was while the scan was taken.
-struct Motion {
-  const Eigen::Isometry3d& T_map_base_begin;
-  const Eigen::Isometry3d& T_map_base_end;
-  bool within_scan;  ///< Whether points with times are to be corrected for the way between.
-};
-
-/// The plane on which a vehicle at this pose stands, `ground_z` above base's origin.
+/// The plane on which a vehicle at this pose stands; base's z axis meets it `ground_z` above base.
 Plane ground_plane(const Eigen::Isometry3d& T_map_base, double ground_z) {
+  const Eigen::Vector3d position = T_map_base.translation();
   const Eigen::Vector3d up = T_map_base.linear().col(2);
-  const Eigen::Vector3d contact = T_map_base.translation() + ground_z * up;
-  Plane plane{contact.x(), contact.y(), contact.z(), 0.0, 0.0};
-  if (up.z() >= kMinUpright) {
-    plane.slope_x = -up.x() / up.z();
-    plane.slope_y = -up.y() / up.z();
-  }
+  Plane plane{position.x(), position.y(), position.z(), 0.0, 0.0, ground_z};
+  if (up.z() < kMinUpright) return plane;
+  plane.slope_x = -up.x() / up.z();
+  plane.slope_y = -up.y() / up.z();
+  // Straight below base, not along its z axis.
+  plane.offset = ground_z / up.z();
   return plane;
 }
 
@@ -96,7 +59,9 @@ class GroundGrid::Pipeline {
   void reset() {
     map_.reset();
     estimated_height_.reset();
+    sensor_height_.reset();
     last_position_.reset();
+    ground_z_ = 0.0;
   }
 
   [[nodiscard]] TerrainView terrain() const;
@@ -107,13 +72,13 @@ class GroundGrid::Pipeline {
     config.validate();
     return config;
   }
-  static void check_input(std::span<const SensorScan> scans, const Motion& motion);
-  double ground_below_base(std::span<const SensorScan> scans, ScanResult& result);
-  void place_map(const Eigen::Isometry3d& T_map_base, double ground_z, ScanResult& result);
+  double find_ground(std::span<const SensorScan> scans);
+  bool place_map(const Eigen::Isometry3d& T_map_base);
   void place_sensors(std::span<const SensorScan> scans, const Motion& motion);
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
   void choose_output(std::size_t points, const ScanOutput* output);
   void run_stages();
+  void interpolate_from_sensor();
   void count_labels(ScanResult& result) const;
 
   Config config_;
@@ -125,7 +90,8 @@ class GroundGrid::Pipeline {
   GroundEnvelope envelope_;
   CellLimits limits_;
   BinnedPoints bins_;
-  std::vector<SensorPass> passes_;
+  std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
+  std::size_t sensors_ = 0;         // how many of them this scan has
   SensorPositions positions_;
   std::vector<Label> label_buffer_;
   std::vector<float> height_buffer_;
@@ -133,37 +99,35 @@ class GroundGrid::Pipeline {
   std::span<float> height_above_ground_;
   std::optional<double> estimated_height_;
   std::optional<Eigen::Vector3d> last_position_;
-  bool height_known_ = false;
+  std::optional<double> sensor_height_;  // in use
+  bool height_estimated_ = false;
+  double ground_z_ = 0.0;  // height of the ground plane in base
+  bool ground_known_ = false;
 };
 
 ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, const Motion& motion,
                                          const ScanOutput* output) {
-  check_input(scans, motion);
+  check_input(scans, motion, config_);
   std::size_t points = 0;
   for (const SensorScan& scan : scans) points += scan.points.count;
   choose_output(points, output);
-
-  ScanResult result;
-  const double ground_z = ground_below_base(scans, result);
-  place_map(motion.T_map_base_end, ground_z, result);
-  place_sensors(scans, motion);
   bins_.resize(points);
+  positions_.sensors.resize(scans.size());
+  if (passes_.size() < scans.size()) passes_.resize(scans.size());
+  sensors_ = scans.size();
+
+  // Nothing from here on fails: a call either has no effect on the map or all of it.
+  ScanResult result;
+  ground_z_ = find_ground(scans);
+  result.sensor_height_m = sensor_height_;
+  result.sensor_height_estimated = sensor_height_ && height_estimated_;
+  result.map_restarted = place_map(motion.T_map_base_end);
+  place_sensors(scans, motion);
   run_stages();
   count_labels(result);
   result.labels = labels_;
   result.height_above_ground = height_above_ground_;
   return result;
-}
-
-void GroundGrid::Pipeline::check_input(std::span<const SensorScan> scans, const Motion& motion) {
-  check_pose(motion.T_map_base_begin, "T_map_base_begin");
-  check_pose(motion.T_map_base_end, "T_map_base_end");
-  for (const SensorScan& scan : scans) {
-    check_view(scan.points);
-    if (scan.T_base_sensor) check_pose(scan.T_base_sensor->isometry(), "T_base_sensor");
-    if (motion.within_scan && scan.points.time_offset && !(scan.time_end > scan.time_begin))
-      throw std::invalid_argument("SensorScan: time_end must be later than time_begin");
-  }
 }
 
 void GroundGrid::Pipeline::choose_output(std::size_t points, const ScanOutput* output) {
@@ -180,41 +144,43 @@ void GroundGrid::Pipeline::choose_output(std::size_t points, const ScanOutput* o
   height_above_ground_ = height_buffer_;
 }
 
-double GroundGrid::Pipeline::ground_below_base(std::span<const SensorScan> scans,
-                                               ScanResult& result) {
-  height_known_ = true;
-  if (scans.empty()) return 0.0;
+double GroundGrid::Pipeline::find_ground(std::span<const SensorScan> scans) {
+  ground_known_ = true;
+  if (scans.empty()) {
+    // Nothing new: what was known before stays, and a first scan is still to come.
+    ground_known_ = last_position_.has_value();
+    return ground_z_;
+  }
   const SensorScan& first = scans.front();
+  height_estimated_ = !config_.sensor_height_m && !first.T_base_sensor;
   const double mounting_z = mounting_of(first).translation().z();
   if (config_.sensor_height_m) {
-    result.sensor_height_m = *config_.sensor_height_m;
-    return mounting_z - *config_.sensor_height_m;
+    sensor_height_ = config_.sensor_height_m;
+    return mounting_z - *sensor_height_;
   }
   if (first.T_base_sensor) {
-    result.sensor_height_m = mounting_z;
+    sensor_height_ = mounting_z;
     return 0.0;
   }
-  if (!estimated_height_) estimated_height_ = estimate_sensor_height(first.points);
   // A scan that shows no ground fixes nothing: the next one gets its chance.
-  height_known_ = estimated_height_.has_value();
-  result.sensor_height_estimated = height_known_;
-  result.sensor_height_m = estimated_height_.value_or(0.0);
-  return -result.sensor_height_m;
+  if (!estimated_height_) estimated_height_ = estimate_sensor_height(first.points, config_);
+  sensor_height_ = estimated_height_;
+  ground_known_ = sensor_height_.has_value();
+  return -sensor_height_.value_or(0.0);
 }
 
-void GroundGrid::Pipeline::place_map(const Eigen::Isometry3d& T_map_base, double ground_z,
-                                     ScanResult& result) {
-  const Plane ground = ground_plane(T_map_base, ground_z);
-  ground_plane_ = ground;
+/// True where the pose jumped and the map was started anew.
+bool GroundGrid::Pipeline::place_map(const Eigen::Isometry3d& T_map_base) {
+  ground_plane_ = ground_plane(T_map_base, ground_z_);
   const Eigen::Vector3d position = T_map_base.translation();
   const bool jumped =
       last_position_ && !((position - *last_position_).norm() <= config_.pose_jump_m);
-  result.map_restarted = jumped;
   if (jumped || !last_position_)
-    map_.start(ground);
+    map_.start(ground_plane_);
   else
-    map_.follow(ground);
-  if (height_known_) last_position_ = position;
+    map_.follow(ground_plane_);
+  if (ground_known_) last_position_ = position;
+  return jumped;
 }
 
 Eigen::Isometry3d GroundGrid::Pipeline::to_window(const Eigen::Isometry3d& T_map_base) const {
@@ -228,8 +194,6 @@ Eigen::Isometry3d GroundGrid::Pipeline::to_window(const Eigen::Isometry3d& T_map
 void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, const Motion& motion) {
   const Eigen::Isometry3d T_window_begin = to_window(motion.T_map_base_begin);
   const Eigen::Isometry3d T_window_end = to_window(motion.T_map_base_end);
-  passes_.resize(scans.size());
-  positions_.sensors.clear();
   std::size_t first = 0;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const Eigen::Isometry3d T_base_sensor = mounting_of(scans[i]);
@@ -242,13 +206,13 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, cons
                                  scans[i].time_end);
     else
       pass.trajectory.set_fixed(T_window_end * T_base_sensor);
-    positions_.sensors.push_back(pass.trajectory.end().origin());
+    positions_.sensors[i] = pass.trajectory.end().origin();
     first += scans[i].points.count;
   }
 }
 
 void GroundGrid::Pipeline::run_stages() {
-  for (const SensorPass& pass : passes_) {
+  for (const SensorPass& pass : std::span(passes_).first(sensors_)) {
     bin_points(pass, map_, config_, runner_, bins_);
     filter_outliers(pass, map_, config_, bins_, runner_, labels_);
   }
@@ -257,14 +221,21 @@ void GroundGrid::Pipeline::run_stages() {
   if (config_.reject_raised)
     envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
-  const Point3f centre = positions_.sensors.empty() ? Point3f{} : positions_.sensors.front();
-  interpolate(ground_cells_.is_ground(), map_.nearest_cell(centre.x), map_.nearest_cell(centre.y),
-              config_, map_);
+  map_.mark_observed();
+  interpolate_from_sensor();
   if (config_.threshold_by_column)
     limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
   else
     limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
   segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
+}
+
+void GroundGrid::Pipeline::interpolate_from_sensor() {
+  const int middle = map_.size() / 2;
+  const bool none = positions_.sensors.empty();
+  const int column = none ? middle : map_.nearest_cell(positions_.sensors.front().x);
+  const int row = none ? middle : map_.nearest_cell(positions_.sensors.front().y);
+  interpolate(ground_cells_.is_ground(), column, row, config_, map_);
 }
 
 void GroundGrid::Pipeline::count_labels(ScanResult& result) const {

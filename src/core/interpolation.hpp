@@ -17,7 +17,8 @@ inline float interpolated_height(float height, float confidence, float sum_confi
 }
 
 /// Eq. 8: the confidence of a cell in which a scan showed no ground. After some three hundred such
-/// scans it is forgotten: subnormal numbers would make a vehicle that stands still slower and slower.
+/// scans it is forgotten: subnormal numbers would make a vehicle that stands still slower and
+/// slower.
 inline float decayed_confidence(float confidence, float decay) {
   constexpr float kForgotten = 1e-30F;
   const float decayed = confidence - confidence / decay;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/window_cells.hpp"
+
 namespace groundgrid {
 namespace {
 
@@ -18,16 +20,17 @@ struct AxisWalk {
   double next;
   double per_cell;
 
-  AxisWalk(double from, double to, double cell_size, int size) {
-    // A coordinate just inside the window's edge may round to the cell outside.
-    cell = std::min(static_cast<int>(from / cell_size), size - 1);
-    last = std::min(static_cast<int>(to / cell_size), size - 1);
+  AxisWalk(const WindowCells& cells, float from_m, float to_m) {
+    const auto from = static_cast<double>(cells.in_cells(from_m));
+    const auto to = static_cast<double>(cells.in_cells(to_m));
+    cell = cells.index_of(from_m);
+    last = cells.index_of(to_m);
     step = to > from ? 1 : -1;
     const double length = std::abs(to - from);
-    const double border = (cell + (step > 0 ? 1 : 0)) * cell_size;
+    const double border = cell + (step > 0 ? 1 : 0);
     next =
         cell == last ? std::numeric_limits<double>::infinity() : std::abs(border - from) / length;
-    per_cell = cell_size / length;
+    per_cell = 1.0 / length;
   }
 
   void advance() {
@@ -44,22 +47,14 @@ float confidence_around(const ElevationMap& map, int column, int row) {
   return sum;
 }
 
-/// NaN is outside.
-bool inside_window(const ElevationMap& map, const Point3f& p) {
-  const double extent = map.size() * map.cell_size();
-  const auto x = static_cast<double>(p.x);
-  const auto y = static_cast<double>(p.y);
-  return x >= 0.0 && x < extent && y >= 0.0 && y < extent;
-}
-
 }  // namespace
 
 bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
                        const Config& config) {
-  if (!inside_window(map, sensor) || !inside_window(map, point)) return true;
-  const double cell_size = map.cell_size();
-  AxisWalk x(static_cast<double>(sensor.x), static_cast<double>(point.x), cell_size, map.size());
-  AxisWalk y(static_cast<double>(sensor.y), static_cast<double>(point.y), cell_size, map.size());
+  const WindowCells cells(map);
+  if (!cells.contains(sensor) || !cells.contains(point)) return true;
+  AxisWalk x(cells, sensor.x, point.x);
+  AxisWalk y(cells, sensor.y, point.y);
   const double z_begin = static_cast<double>(sensor.z);
   const double drop = static_cast<double>(point.z) - z_begin;
   double entry_z = z_begin;
@@ -86,9 +81,7 @@ void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Conf
                      const BinnedPoints& bins, TileRunner& runner, std::span<Label> labels) {
   const auto step = static_cast<float>(CellStatistics::kStep_m);
   const auto min_depth = static_cast<float>(config.outlier_min_depth_m);
-  const auto filter_tile = [&](std::size_t tile) {
-    const std::size_t begin = tile * kPointsPerTile;
-    const std::size_t end = std::min(begin + kPointsPerTile, pass.points.count);
+  const auto filter = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t index = pass.first + i;
       labels[index] = Label::unknown;
@@ -102,7 +95,7 @@ void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Conf
         labels[index] = Label::outlier;
     }
   };
-  runner.parallel_for_tiles((pass.points.count + kPointsPerTile - 1) / kPointsPerTile, filter_tile);
+  runner.parallel_for_ranges(pass.points.count, kPointsPerTile, filter);
 }
 
 }  // namespace groundgrid

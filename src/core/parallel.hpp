@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 
@@ -31,6 +32,14 @@ class TileRunner {
       return;
     }
     run(tiles, task);
+  }
+
+  /// Calls task(begin, end) for pieces of [0, count) of at most `per_tile` indices.
+  template <typename Task>
+  void parallel_for_ranges(std::size_t count, std::size_t per_tile, const Task& task) {
+    parallel_for_tiles((count + per_tile - 1) / per_tile, [&](std::size_t tile) {
+      task(tile * per_tile, std::min((tile + 1) * per_tile, count));
+    });
   }
 
  private:

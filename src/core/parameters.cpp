@@ -1,5 +1,6 @@
 #include "groundgrid/parameters.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr std::array kParameters{
               "Map frame x of a cell's centre; the first pose's where left out."},
     Parameter{"grid_anchor_y_m", &Config::grid_anchor_y_m, "m", -1e8, 1e8, "", "map",
               "Map frame y of a cell's centre; the first pose's where left out."},
-    Parameter{"pose_jump_m", &Config::pose_jump_m, "m", 0.1, kFar, "", "map",
+    Parameter{"pose_jump_m", &Config::pose_jump_m, "m", 0.1, 1000.0, "", "map",
               "A move between two scans by more than this starts the map anew."},
     // Vehicle and sensor
     Parameter{"sensor_height_m", &Config::sensor_height_m, "m", -10.0, 100.0, "", "vehicle",
@@ -43,7 +44,7 @@ constexpr std::array kParameters{
     // Outlier filter
     Parameter{"outlier_tolerance_m", &Config::outlier_tolerance_m, "m", 0.0, 10.0, "o_t",
               "outlier_filter", "A ray may dip this far below the map and still be free."},
-    Parameter{"outlier_min_confidence", &Config::outlier_min_confidence, "", 0.0, 25.0, "o_minc",
+    Parameter{"outlier_min_confidence", &Config::outlier_min_confidence, "", 1e-6, 25.0, "o_minc",
               "outlier_filter",
               "Sum of confidence over 5x5 cells that a cell needs to block a ray."},
     Parameter{"outlier_min_depth_m", &Config::outlier_min_depth_m, "m", -kFar, kFar, "",
@@ -127,26 +128,31 @@ int whole_number_from(const Parameter& parameter, std::string_view text) {
   return static_cast<int>(value);
 }
 
+void assign(Config& config, const Parameter& parameter, std::string_view value) {
+  if (const auto* member = std::get_if<double Config::*>(&parameter.member))
+    config.*(*member) = number_from(parameter, value);
+  else if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
+    config.*(*optional) =
+        value == "none" ? std::nullopt : std::optional(number_from(parameter, value));
+  else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
+    config.*(*whole) = whole_number_from(parameter, value);
+  else
+    config.*std::get<bool Config::*>(parameter.member) = switch_from(parameter, value);
+}
+
 }  // namespace
 
 std::span<const Parameter> parameters() { return kParameters; }
 
 void set_parameter(Config& config, std::string_view name, std::string_view value) {
-  for (const Parameter& parameter : kParameters) {
-    if (parameter.name != name) continue;
-    if (const auto* member = std::get_if<double Config::*>(&parameter.member))
-      config.*(*member) = number_from(parameter, value);
-    else if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
-      config.*(*optional) =
-          value == "none" ? std::nullopt : std::optional(number_from(parameter, value));
-    else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
-      config.*(*whole) = whole_number_from(parameter, value);
-    else
-      config.*std::get<bool Config::*>(parameter.member) = switch_from(parameter, value);
-    config.validate();
-    return;
-  }
-  throw std::invalid_argument("unknown parameter '" + std::string(name) + "'");
+  const auto parameter = std::find_if(kParameters.begin(), kParameters.end(),
+                                      [name](const Parameter& p) { return p.name == name; });
+  if (parameter == kParameters.end())
+    throw std::invalid_argument("unknown parameter '" + std::string(name) + "'");
+  Config changed = config;
+  assign(changed, *parameter, value);
+  changed.validate();
+  config = changed;
 }
 
 }  // namespace groundgrid

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -55,7 +56,9 @@ void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& c
 template <typename Add>
 void for_each_binned_point(const BinnedPoints& bins, std::span<const Label> labels,
                            std::size_t cells, TileRunner& runner, const Add& add) {
-  const auto bands = static_cast<std::size_t>(runner.threads());
+  // Every band reads all points, so more of them than this would cost more than they bring.
+  constexpr int kMaxBands = 8;
+  const auto bands = static_cast<std::size_t>(std::min(runner.threads(), kMaxBands));
   runner.parallel_for_tiles(bands, [&](std::size_t band) {
     const auto begin = static_cast<std::uint32_t>(cells * band / bands);
     const auto length = static_cast<std::uint32_t>(cells * (band + 1) / bands) - begin;

@@ -15,9 +15,8 @@ void segment(const BinnedPoints& bins, const CellLimits& limits, const Elevation
              TileRunner& runner, std::span<Label> labels, std::span<float> height_above_ground) {
   constexpr auto kStep_m = static_cast<float>(CellStatistics::kStep_m);
   const CellLimit* limit_of = limits.limits().data();
-  const auto segment_tile = [&](std::size_t tile) {
-    const std::size_t end = std::min((tile + 1) * kPointsPerTile, bins.cell.size());
-    for (std::size_t i = tile * kPointsPerTile; i < end; ++i) {
+  const auto segment_points = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
       const std::uint32_t cell = bins.cell[i];
       if (cell == BinnedPoints::kNoCell) {
         height_above_ground[i] = std::numeric_limits<float>::quiet_NaN();
@@ -34,7 +33,7 @@ void segment(const BinnedPoints& bins, const CellLimits& limits, const Elevation
       labels[i] = above <= limit.threshold ? Label::ground : Label::obstacle;
     }
   };
-  runner.parallel_for_tiles((bins.cell.size() + kPointsPerTile - 1) / kPointsPerTile, segment_tile);
+  runner.parallel_for_ranges(bins.cell.size(), kPointsPerTile, segment_points);
 }
 
 }  // namespace groundgrid

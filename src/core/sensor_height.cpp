@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "core/exclusion.hpp"
+#include "core/input_checks.hpp"
 #include "core/point_transform.hpp"
 #include "groundgrid/ground_grid.hpp"
 
@@ -39,12 +41,12 @@ struct FlatCell {
   double depth = 0.0;  ///< Below the sensor, metres.
 };
 
-std::vector<Extremes> cell_extremes(const PointView& points) {
+std::vector<Extremes> cell_extremes(const PointView& points, const Exclusion& exclusion) {
   std::vector<Extremes> cells(static_cast<std::size_t>(kCells) * kCells);
   for (std::size_t i = 0; i < points.count; ++i) {
     const Point3f p = load_point(points, i);
     const bool near = std::abs(p.x) < kReach_m && std::abs(p.y) < kReach_m && std::isfinite(p.z);
-    if (!near) continue;
+    if (!near || exclusion.takes(p, PointTransform{})) continue;
     const int column = std::min(static_cast<int>((p.x + kReach_m) / kCell_m), kCells - 1);
     const int row = std::min(static_cast<int>((p.y + kReach_m) / kCell_m), kCells - 1);
     Extremes& cell = cells[static_cast<std::size_t>(row * kCells + column)];
@@ -58,8 +60,8 @@ double centre_of(int cell) {
   return (cell + 0.5) * static_cast<double>(kCell_m) - static_cast<double>(kReach_m);
 }
 
-std::vector<FlatCell> flat_cells(const PointView& points) {
-  const std::vector<Extremes> cells = cell_extremes(points);
+std::vector<FlatCell> flat_cells(const PointView& points, const Exclusion& exclusion) {
+  const std::vector<Extremes> cells = cell_extremes(points, exclusion);
   std::vector<FlatCell> flat;
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
@@ -113,8 +115,9 @@ std::optional<Eigen::Vector3d> fit_plane(const std::vector<FlatCell>& cells,
 
 }  // namespace
 
-std::optional<double> estimate_sensor_height(const PointView& points) {
-  const std::vector<FlatCell> cells = flat_cells(points);
+std::optional<double> estimate_sensor_height(const PointView& points, const Config& config) {
+  check_view(points);
+  const std::vector<FlatCell> cells = flat_cells(points, Exclusion(config));
   if (cells.size() < kMinVotes) return std::nullopt;
   Eigen::Vector3d plane(most_voted_depth(cells), 0.0, 0.0);
   for (int fit = 0; fit < kFits; ++fit) {
@@ -124,7 +127,10 @@ std::optional<double> estimate_sensor_height(const PointView& points) {
     if (!fitted) return std::nullopt;
     plane = *fitted;
   }
-  return plane.x();
+  // The plane may meet the sensor's axis where no cell was, even above the sensor.
+  const double height = plane.x();
+  if (!(height > 0.0 && height < static_cast<double>(kMaxHeight_m))) return std::nullopt;
+  return height;
 }
 
 }  // namespace groundgrid

@@ -1,10 +1,25 @@
 #include "groundgrid/terrain_view.hpp"
 
 #include <limits>
+#include <stdexcept>
 
 namespace groundgrid {
 
+// Not inline: whoever includes the header shall get our bits, whatever their compiler's flags.
+double CellStatistics::mean_m() const {
+  return static_cast<double>(sum) / static_cast<double>(count) * kStep_m;
+}
+
+double CellStatistics::variance_m2() const {
+  const auto n = static_cast<double>(count);
+  const double mean = static_cast<double>(sum) / n;
+  const double variance = static_cast<double>(sum_squares) / n - mean * mean;
+  return (variance < 0.0 ? 0.0 : variance) * kStep_m * kStep_m;
+}
+
 TerrainCell TerrainView::cell(int column, int row) const {
+  if (column < 0 || column >= size || row < 0 || row >= size)
+    throw std::out_of_range("TerrainView::cell: column and row must be in [0, size)");
   const auto index = static_cast<std::size_t>(row) * static_cast<std::size_t>(size) +
                      static_cast<std::size_t>(column);
   TerrainCell cell{};

@@ -172,7 +172,7 @@ TEST(Street, SingleScanWithoutPoseAndMountingFindsItsHeight) {
     GroundGrid grid;
     const ScanResult result = grid.process(scan);
     EXPECT_TRUE(result.sensor_height_estimated);
-    EXPECT_NEAR(result.sensor_height_m, height, 0.05);
+    EXPECT_NEAR(result.sensor_height_m.value(), height, 0.05);
     expect_right(testing::score(result.labels, simulated.truth));
   }
 }

@@ -1,43 +1,9 @@
-// Once warm, process() allocates nothing: counted by replacing the global operator new.
+// Once warm, process() allocates nothing.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocation_counter.hpp"
 #include "groundgrid/ground_grid.hpp"
 #include "support/drive.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-void* counted(std::size_t bytes, std::size_t alignment) {
-  ++allocations;
-  const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
-  void* memory = std::aligned_alloc(alignment, size == 0 ? alignment : size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new[](std::size_t bytes) { return counted(bytes, alignof(std::max_align_t)); }
-void* operator new(std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t bytes, std::align_val_t alignment) {
-  return counted(bytes, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete[](void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace groundgrid {
 namespace {
@@ -52,15 +18,15 @@ std::size_t allocations_once_warm(const Config& config) {
     for (const DriveScan& scan : drive) grid.process(scan.scan(), scan.T_map_base);
   };
   pass();
-  const std::size_t before = allocations;
+  const std::size_t before = testing::allocations();
   pass();
-  return allocations - before;
+  return testing::allocations() - before;
 }
 
 TEST(Allocation, IsCounted) {
-  const std::size_t before = allocations;
+  const std::size_t before = testing::allocations();
   const std::vector<int> vector(100);
-  EXPECT_EQ(allocations, before + 1);
+  EXPECT_EQ(testing::allocations(), before + 1);
 }
 
 TEST(Allocation, ProcessAllocatesNothingOnceWarm) {
@@ -88,9 +54,9 @@ TEST(Allocation, CorrectionOfMotionAllocatesNothingOnceWarm) {
   GroundGrid grid;
   const std::span<const SensorScan> scans(&scan, 1);
   grid.process(scans, begin, end);
-  const std::size_t before = allocations;
+  const std::size_t before = testing::allocations();
   grid.process(scans, begin, end);
-  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_EQ(testing::allocations() - before, 0U);
 }
 
 TEST(Allocation, ResetKeepsTheBuffers) {
@@ -99,10 +65,10 @@ TEST(Allocation, ResetKeepsTheBuffers) {
   config.sensor_height_m = 1.75;  // an estimate of the height may allocate
   GroundGrid grid(config);
   grid.process(drive[0].scan());
-  const std::size_t before = allocations;
+  const std::size_t before = testing::allocations();
   grid.reset();
   grid.process(drive[0].scan());
-  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_EQ(testing::allocations() - before, 0U);
 }
 
 }  // namespace

@@ -144,6 +144,32 @@ TEST_F(RejectedInput, MountingsThatAreNotRigid) {
   expect_rejected(scan, drive_[1].T_map_base);
 }
 
+TEST_F(RejectedInput, PosesAndMountingsOutOfThisWorld) {
+  expect_rejected(drive_[1].scan(), testing::pose(2e9, 0.0, 0.0));
+  expect_rejected(drive_[1].scan(), testing::pose(0.0, 0.0, -1e300));
+  SensorScan scan = drive_[1].scan();
+  scan.T_base_sensor = testing::pose(0.0, 2e9, 1.75);
+  expect_rejected(scan, drive_[1].T_map_base);
+}
+
+TEST_F(RejectedInput, TooManyPoints) {
+  const std::vector<float> one(3);
+  SensorScan scan;
+  scan.points = PointView::from_floats(one.data(), 4'194'305, 0);
+  expect_rejected(scan, drive_[1].T_map_base);  // no stride
+  std::vector<float> many(3 * 4'194'305UL);
+  scan.points = PointView::from_floats(many.data(), 4'194'305, 3);
+  expect_rejected(scan, drive_[1].T_map_base);
+}
+
+TEST_F(RejectedInput, ScansOnAWayLongerThanAJump) {
+  const SensorScan scan = drive_[1].scan();
+  Eigen::Isometry3d begin = drive_[1].T_map_base;
+  begin.translation().x() += grid_.config().pose_jump_m + 1.0;
+  EXPECT_THROW(grid_.process(std::span(&scan, 1), begin, drive_[1].T_map_base),
+               std::invalid_argument);
+}
+
 TEST_F(RejectedInput, ViewsThatReachOutOfTheirRecords) {
   const SensorScan good = drive_[1].scan();
   const auto rejects = [&](auto change) {
@@ -187,6 +213,16 @@ TEST_F(RejectedInput, ScansThatEndBeforeTheyBegin) {
     scan.time_end = time_end;
     EXPECT_THROW(grid_.process(scans, begin, end), std::invalid_argument) << time_end;
   }
+}
+
+TEST(Input, CellsOutsideOfTheTerrainAreRejected) {
+  GroundGrid grid;
+  EXPECT_THROW(grid.terrain().cell(0, 0), std::out_of_range);
+  grid.process(street_drive(1)[0].scan());
+  const TerrainView terrain = grid.terrain();
+  EXPECT_NO_THROW(terrain.cell(0, terrain.size - 1));
+  EXPECT_THROW(terrain.cell(terrain.size, 0), std::out_of_range);
+  EXPECT_THROW(terrain.cell(0, -1), std::out_of_range);
 }
 
 TEST(Input, ConfigsOutOfRangeAreRejected) {

@@ -94,8 +94,8 @@ TEST(State, TheEstimatedSensorHeightIsReportedAndKeptUntilReset) {
   GroundGrid grid;
   const ScanResult estimated = grid.process(first.scan());
   EXPECT_TRUE(estimated.sensor_height_estimated);
-  EXPECT_NEAR(estimated.sensor_height_m, 1.75, 0.05);
-  const double height = estimated.sensor_height_m;
+  EXPECT_NEAR(estimated.sensor_height_m.value(), 1.75, 0.05);
+  const double height = estimated.sensor_height_m.value();
   const ScanResult kept = grid.process(raised.scan());
   EXPECT_TRUE(kept.sensor_height_estimated);
   EXPECT_EQ(kept.sensor_height_m, height);
@@ -103,7 +103,7 @@ TEST(State, TheEstimatedSensorHeightIsReportedAndKeptUntilReset) {
   EXPECT_EQ(grid.process(raised.scan(), pose(500.0, 0.0, 0.0)).sensor_height_m, height)
       << "a restart of the map is no reset";
   grid.reset();
-  EXPECT_NEAR(grid.process(raised.scan()).sensor_height_m, 2.25, 0.05);
+  EXPECT_NEAR(grid.process(raised.scan()).sensor_height_m.value(), 2.25, 0.05);
 }
 
 TEST(State, AGivenSensorHeightIsTaken) {
@@ -128,10 +128,12 @@ TEST(State, AScanWithoutGroundLeavesTheEstimateToTheNext) {
   const std::vector<float> sky{10.0F, 0.0F, 5.0F, 0.0F, 10.0F, 5.0F};
   SensorScan nothing;
   nothing.points = PointView::from_floats(sky.data(), 2, 3);
-  EXPECT_FALSE(grid.process(nothing).sensor_height_estimated);
+  const ScanResult unknown = grid.process(nothing);
+  EXPECT_FALSE(unknown.sensor_height_estimated);
+  EXPECT_FALSE(unknown.sensor_height_m.has_value());
   const ScanResult result = grid.process(street_drive(1)[0].scan());
   EXPECT_TRUE(result.sensor_height_estimated);
-  EXPECT_NEAR(result.sensor_height_m, 1.75, 0.05);
+  EXPECT_NEAR(result.sensor_height_m.value(), 1.75, 0.05);
   EXPECT_FALSE(result.map_restarted);
 }
 

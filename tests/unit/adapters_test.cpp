@@ -48,28 +48,21 @@ struct OwnPoint {
 TEST(Adapters, SpanOfOwnPoints) {
   const std::vector<OwnPoint> points{{0.0, 0.0F, 3.0F, 2.0F, 1.0F}, {0.0, 0.0F, 6.0F, 5.0F, 4.0F}};
   expect_points(view_of(std::span<const OwnPoint>(points)), points.data());
+  expect_points(view_of(points), points.data());
+  std::vector<OwnPoint> mutable_points = points;
+  expect_points(view_of(std::span<OwnPoint, 2>(mutable_points)), mutable_points.data());
 }
 
 /// Shaped like pcl::PointCloud<pcl::PointXYZ>.
 struct CloudLikePcl {
   struct PointType {
-    union {
-      float data[4];
-      struct {
-        float x, y, z;
-      };
-    };
+    float x, y, z, padding;
   };
   std::vector<PointType> points;
 };
 
 TEST(Adapters, PclCloud) {
-  CloudLikePcl cloud;
-  cloud.points.resize(2);
-  for (int i = 0; i < 3; ++i) {
-    cloud.points[0].data[i] = static_cast<float>(1 + i);
-    cloud.points[1].data[i] = static_cast<float>(4 + i);
-  }
+  const CloudLikePcl cloud{{{1.0F, 2.0F, 3.0F, 0.0F}, {4.0F, 5.0F, 6.0F, 0.0F}}};
   expect_points(view_of(cloud), cloud.points.data());
 }
 

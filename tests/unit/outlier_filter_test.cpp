@@ -60,9 +60,17 @@ double hides_by(const ElevationMap& map, const Point3f& sensor, const Point3f& p
                    confidence_sum(map, column, row) - config.outlier_min_confidence});
 }
 
+bool is_inside(const ElevationMap& map, const Point3f& sensor) {
+  const double extent = map.size() * map.cell_size();
+  const auto x = static_cast<double>(sensor.x);
+  const auto y = static_cast<double>(sensor.y);
+  return x >= 0.0 && x < extent && y >= 0.0 && y < extent;
+}
+
 /// Looks at every cell of the map; nothing where rounding decides.
 std::optional<bool> sees(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
                          const Config& config) {
+  if (!is_inside(map, sensor)) return true;
   const auto own_column =
       static_cast<int>(std::floor(static_cast<double>(point.x) / map.cell_size()));
   const auto own_row = static_cast<int>(std::floor(static_cast<double>(point.y) / map.cell_size()));

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -88,10 +89,16 @@ TEST(Parameters, AreDescribedAndTheirDefaultsAreInRange) {
 
 /// The doc comment of a field as the table would have it.
 std::string expected_comment(const Parameter& parameter) {
-  std::string facts;
-  if (!parameter.symbol.empty()) facts = "paper: " + std::string(parameter.symbol);
-  if (!parameter.unit.empty()) facts += (facts.empty() ? "" : ", ") + std::string(parameter.unit);
-  return std::string(parameter.text) + (facts.empty() ? "" : " (" + facts + ")");
+  std::ostringstream comment;
+  comment << parameter.text;
+  const bool has_symbol = !parameter.symbol.empty();
+  const bool has_unit = !parameter.unit.empty();
+  if (has_symbol || has_unit) comment << " (";
+  if (has_symbol) comment << "paper: " << parameter.symbol;
+  if (has_symbol && has_unit) comment << ", ";
+  if (has_unit) comment << parameter.unit;
+  if (has_symbol || has_unit) comment << ")";
+  return comment.str();
 }
 
 /// The doc comments in config.hpp by the name of the field that follows them.
@@ -101,7 +108,8 @@ std::map<std::string, std::string> comments_in_header() {
   std::string comment;
   for (std::string line; std::getline(header, line);) {
     if (const std::size_t at = line.find("/// "); at != std::string::npos) {
-      comment += (comment.empty() ? "" : " ") + line.substr(at + 4);
+      if (!comment.empty()) comment += ' ';
+      comment += line.substr(at + 4);
       continue;
     }
     // "  double cell_size_m = 0.33;" or "  std::optional<double> sensor_height_m{};"

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <numbers>
 #include <vector>
 
@@ -79,6 +81,24 @@ TEST(SensorTrajectory, TimesOutsideOfTheScanTakeTheNearerEnd) {
   EXPECT_FLOAT_EQ(trajectory.at(view, 0).origin().x, 0.0F);
   EXPECT_FLOAT_EQ(trajectory.at(view, 1).origin().x, 4.0F);
   EXPECT_TRUE(std::isfinite(trajectory.at(view, 2).origin().x));
+}
+
+TEST(LoadTime, ReadsTheTypesThatDriversWrite) {
+  std::byte record[40];
+  PointView view;
+  view.data = record;
+  view.count = 2;
+  view.stride_bytes = 20;
+  view.time_offset = 11;  // of the second record: 31, aligned to nothing
+  const auto load_as = [&](TimeType type, auto value) {
+    std::memcpy(record + 31, &value, sizeof(value));
+    view.time_type = type;
+    EXPECT_EQ(size_of(type), sizeof(value));
+    return load_time(view, 1);
+  };
+  EXPECT_EQ(load_as(TimeType::float64, 1700000000.0625), 1700000000.0625);
+  EXPECT_EQ(load_as(TimeType::float32, 0.0625F), 0.0625);
+  EXPECT_EQ(load_as(TimeType::uint32, std::uint32_t{4'000'000'000U}), 4e9);
 }
 
 TEST(SensorTrajectory, IsFixedAgainAfterAFixedScan) {

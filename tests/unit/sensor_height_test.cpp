@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <vector>
 
 #include "groundgrid/ground_grid.hpp"
@@ -36,6 +37,39 @@ TEST(EstimateSensorHeight, AFlatRoofWithMorePointsDoesNotWin) {
   const std::optional<double> found = estimate(xyz);
   ASSERT_TRUE(found.has_value());
   EXPECT_NEAR(*found, 1.73, 0.05);
+}
+
+TEST(EstimateSensorHeight, TheGroundMayBeInclined) {
+  std::vector<float> xyz;
+  for (int y = -60; y <= 60; ++y)
+    for (int x = -60; x <= 60; ++x)
+      xyz.insert(xyz.end(), {static_cast<float>(x) * 0.2F, static_cast<float>(y) * 0.2F,
+                             -1.73F + 0.03F * 0.2F * static_cast<float>(x)});
+  const std::optional<double> found = estimate(xyz);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_NEAR(*found, 1.73, 0.05);
+}
+
+TEST(EstimateSensorHeight, TheOwnVehicleAndNearPointsDoNotCount) {
+  std::vector<float> xyz = floor_below(1.73F, 8);  // little floor, and more of a roof close by
+  for (int i = 0; i < 10000; ++i)
+    xyz.insert(xyz.end(), {-4.0F + static_cast<float>(i % 100) * 0.08F,
+                           -4.0F + static_cast<float>(i / 100) * 0.08F, -0.3F});
+  const PointView points = PointView::from_floats(xyz.data(), xyz.size() / 3, 3);
+  Config config;
+  EXPECT_NEAR(estimate_sensor_height(points, config).value_or(0.0), 0.3, 0.05);
+  config.own_vehicle_min_x_m = config.own_vehicle_min_y_m = -5.0;
+  config.own_vehicle_max_x_m = config.own_vehicle_max_y_m = 5.0;
+  config.own_vehicle_min_z_m = -1.0;
+  config.own_vehicle_max_z_m = 0.0;
+  EXPECT_NEAR(estimate_sensor_height(points, config).value_or(0.0), 1.73, 0.05);
+}
+
+TEST(EstimateSensorHeight, RejectsViewsThatReachOutOfTheirRecords) {
+  const std::vector<float> xyz(30);
+  PointView view = PointView::from_floats(xyz.data(), 10, 3);
+  view.z_offset = 9;
+  EXPECT_THROW(estimate_sensor_height(view), std::invalid_argument);
 }
 
 TEST(EstimateSensorHeight, IsNothingWhereThereIsNoFloor) {

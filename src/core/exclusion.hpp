@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/point_transform.hpp"
+#include "groundgrid/config.hpp"
+
+namespace groundgrid {
+
+/// Points that are never taken: on the own vehicle, or too near to the sensor.
+struct Exclusion {
+  float min[3];
+  float max[3];
+  float min_range_squared;
+  bool has_box;
+
+  explicit Exclusion(const Config& config)
+      : min{static_cast<float>(config.own_vehicle_min_x_m),
+            static_cast<float>(config.own_vehicle_min_y_m),
+            static_cast<float>(config.own_vehicle_min_z_m)},
+        max{static_cast<float>(config.own_vehicle_max_x_m),
+            static_cast<float>(config.own_vehicle_max_y_m),
+            static_cast<float>(config.own_vehicle_max_z_m)},
+        min_range_squared(static_cast<float>(config.min_range_m * config.min_range_m)),
+        has_box(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]) {}
+
+  [[nodiscard]] bool takes(const Point3f& in_sensor, const PointTransform& T_base_sensor) const {
+    const float range_squared =
+        in_sensor.x * in_sensor.x + in_sensor.y * in_sensor.y + in_sensor.z * in_sensor.z;
+    if (range_squared < min_range_squared) return true;
+    if (!has_box) return false;
+    const Point3f p = T_base_sensor.apply(in_sensor);
+    return p.x >= min[0] && p.x <= max[0] && p.y >= min[1] && p.y <= max[1] && p.z >= min[2] &&
+           p.z <= max[2];
+  }
+};
+
+}  // namespace groundgrid

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+
+#include "groundgrid/config.hpp"
+#include "groundgrid/scan.hpp"
+
+namespace groundgrid {
+
+/// Where base was while a scan was taken.
+struct Motion {
+  const Eigen::Isometry3d& T_map_base_begin;
+  const Eigen::Isometry3d& T_map_base_end;
+  bool within_scan;  ///< Whether points with times are to be corrected for the way between.
+};
+
+/// Throws std::invalid_argument where offsets and stride do not fit or the data is null.
+void check_view(const PointView& view);
+
+/// Throws std::invalid_argument for all that GroundGrid::process() refuses.
+void check_input(std::span<const SensorScan> scans, const Motion& motion, const Config& config);
+
+}  // namespace groundgrid
