@@ -14,21 +14,21 @@ constexpr double kMaxPosition_m = 1e9;
 /// With more, the squares of one cell's heights could leave 64 bits.
 constexpr std::size_t kMaxPoints = std::size_t{1} << 22U;
 
-void check_pose(const Eigen::Isometry3d& pose, const std::string& name) {
+void check_pose(const Eigen::Isometry3d& pose, const char* name) {
   const Eigen::Matrix3d rotation = pose.linear();
   if (!pose.matrix().allFinite())
-    throw std::invalid_argument(name + " holds NaN or infinite values");
+    throw std::invalid_argument(std::string(name) + " holds NaN or infinite values");
   if (pose.translation().cwiseAbs().maxCoeff() > kMaxPosition_m)
-    throw std::invalid_argument(name + " is more than 1e9 m from the origin");
+    throw std::invalid_argument(std::string(name) + " is more than 1e9 m from the origin");
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
   if (error > kRigidTolerance || rotation.determinant() < 0.0)
-    throw std::invalid_argument(name + " is not rigid: its rotation is not orthonormal");
+    throw std::invalid_argument(std::string(name) +
+                                " is not rigid: its rotation is not orthonormal");
 }
 
-void check_offset(const PointView& view, std::size_t offset, std::size_t bytes,
-                  const std::string& name) {
+void check_offset(const PointView& view, std::size_t offset, std::size_t bytes, const char* name) {
   if (offset > view.stride_bytes || view.stride_bytes - offset < bytes)
-    throw std::invalid_argument("PointView: the offset of " + name +
+    throw std::invalid_argument("PointView: the offset of " + std::string(name) +
                                 " does not fit into stride_bytes");
 }
 

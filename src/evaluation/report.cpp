@@ -7,6 +7,7 @@
 
 #include "evaluation/distance_bins.hpp"
 #include "evaluation/semantic_kitti_classes.hpp"
+#include "io/csv_field.hpp"
 
 namespace groundgrid::evaluation {
 namespace {
@@ -94,8 +95,8 @@ std::string scores_csv(const Scores& scores) {
 std::string tally_csv(const char* kind, const std::string& name, const Tally& tally,
                       Unanswered treatment, std::optional<double> median_ms) {
   const Confusion confusion = tally.confusion(treatment);
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", kind, name, tally.points(),
-                     tally.answered.true_positive + tally.answered.false_positive,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", kind, io::csv_field(name),
+                     tally.points(), tally.answered.true_positive + tally.answered.false_positive,
                      tally.answered.false_negative + tally.answered.true_negative,
                      tally.unanswered(), confusion.true_positive, confusion.false_positive,
                      confusion.false_negative, confusion.true_negative,

@@ -22,8 +22,7 @@ void read_bin_scan(const std::filesystem::path& path, std::vector<float>& points
                      "whole points of {} bytes (x y z intensity as 32-bit floats)", kBytesPerPoint),
                  .got = fmt::format("{} bytes after the last whole one", bytes % kBytesPerPoint),
                  .remedy = "the file is cut short or has another layout; fetch it again"});
-  points.resize(bytes / sizeof(float));
-  file.read(points.data(), bytes);
+  file.read_into(points, bytes / sizeof(float));
 }
 
 }  // namespace groundgrid::io

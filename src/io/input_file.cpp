@@ -40,10 +40,16 @@ void InputFile::read(void* destination, std::size_t bytes) {
   throw Error({.file = path_, .expected = fmt::format("{} bytes", bytes), .got = reason});
 }
 
+void InputFile::fail_too_large() const {
+  throw Error({.file = path_,
+               .expected = "a file that fits into memory",
+               .got = fmt::format("{} bytes", size_)});
+}
+
 std::string read_text(const fs::path& path) {
   InputFile file(path);
-  std::string text(static_cast<std::size_t>(file.size()), '\0');
-  file.read(text.data(), text.size());
+  std::string text;
+  file.read_into(text, static_cast<std::size_t>(file.size()));
   return text;
 }
 

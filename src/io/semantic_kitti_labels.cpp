@@ -37,8 +37,7 @@ void read_labels(const std::filesystem::path& path, const std::filesystem::path&
                                          kBytesPerLabel, scan.string()),
                  .got = fmt::format("{} bytes, which is {} labels", bytes, bytes / kBytesPerLabel),
                  .remedy = "the labels are cut short or belong to another scan"});
-  labels.resize(points);
-  file.read(labels.data(), bytes);
+  file.read_into(labels, points);
 }
 
 void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels) {

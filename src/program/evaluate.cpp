@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "evaluation/report.hpp"
@@ -85,10 +86,14 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
 }
 
-SequenceResult run_method(const EvaluateOptions& options, const Config& config,
-                          const io::ScanSequence& sequence) {
+struct Evaluation {
+  Report report;
+  std::vector<MethodNotes> notes;  ///< Of each sequence; none where predictions were read.
+};
+
+SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence,
+                          MethodNotes& notes) {
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
-  MethodRunner runner(config, sequence, options.method.single_scan());
   std::vector<std::uint32_t> truth;
   std::vector<double> milliseconds;
   for (const io::ScanFile& scan : sequence.scans) {
@@ -99,8 +104,20 @@ SequenceResult run_method(const EvaluateOptions& options, const Config& config,
     milliseconds.push_back(processed.milliseconds);
   }
   figures.median_ms = median(std::move(milliseconds));
-  spdlog::info("sequence {}: sensor {}", sequence.name, runner.sensor_heights()->words());
+  notes = runner.notes();
+  spdlog::info("sequence {}: {}", sequence.name, notes.sensor_words());
   return figures;
+}
+
+void run_method_on_all(const EvaluateOptions& options, const Config& config,
+                       const std::vector<io::ScanSequence>& sequences, Evaluation& result) {
+  // All poses are read before the first scan, so that bad ones show at once.
+  std::vector<std::optional<io::KittiPoses>> poses;
+  for (const io::ScanSequence& sequence : sequences)
+    poses.push_back(read_every_pose(sequence, options.method.single_scan()));
+  for (std::size_t i = 0; i < sequences.size(); ++i)
+    result.report.sequences.push_back(run_method(MethodRunner(config, std::move(poses[i])),
+                                                 sequences[i], result.notes.emplace_back()));
 }
 
 SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSequence& sequence) {
@@ -135,7 +152,8 @@ std::string title_of(const EvaluateOptions& options, const Config& config) {
                      config.threads == 1 ? "" : "s", options.dataset.string());
 }
 
-void print_report(const EvaluateOptions& options, const Config& config, const Report& report) {
+void print_report(const EvaluateOptions& options, const Config& config, const Evaluation& result) {
+  const Report& report = result.report;
   if (options.csv) return print_result(evaluation::to_csv(report));
   if (!options.json) return print_result(evaluation::to_table(report));
   nlohmann::ordered_json json;
@@ -143,6 +161,8 @@ void print_report(const EvaluateOptions& options, const Config& config, const Re
   json["version"] = version();
   json["command"] = "evaluate";
   json.update(evaluation::to_json(report));
+  for (std::size_t i = 0; i < result.notes.size(); ++i)
+    put_notes(json["sequences"][i], result.notes[i]);
   if (options.predictions.empty()) {
     json["preset"] = options.method.preset();
     json["single_scan"] = options.method.single_scan();
@@ -153,13 +173,18 @@ void print_report(const EvaluateOptions& options, const Config& config, const Re
 
 void evaluate(const EvaluateOptions& options) {
   const Config config = options.method.config();
-  Report report{.title = title_of(options, config),
-                .unanswered = options.leave_unanswered_out ? evaluation::Unanswered::left_out
-                                                           : evaluation::Unanswered::as_non_ground};
-  for (const io::ScanSequence& sequence : labelled_sequences(options))
-    report.sequences.push_back(options.predictions.empty() ? run_method(options, config, sequence)
-                                                           : read_predictions(options, sequence));
-  print_report(options, config, report);
+  const std::vector<io::ScanSequence> sequences = labelled_sequences(options);
+  Evaluation result{.report = {.title = title_of(options, config),
+                               .unanswered = options.leave_unanswered_out
+                                                 ? evaluation::Unanswered::left_out
+                                                 : evaluation::Unanswered::as_non_ground},
+                    .notes = {}};
+  if (options.predictions.empty())
+    run_method_on_all(options, config, sequences, result);
+  else
+    for (const io::ScanSequence& sequence : sequences)
+      result.report.sequences.push_back(read_predictions(options, sequence));
+  print_report(options, config, result);
 }
 
 }  // namespace

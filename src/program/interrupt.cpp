@@ -16,6 +16,8 @@ void note_interrupt(int /*signal*/) { interrupted = 1; }
 void catch_interrupts() {
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
+  // Without this a reader that went away ends the process before the failed write is reported.
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 void check_interrupt() {

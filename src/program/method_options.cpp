@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <CLI/Config.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "groundgrid/parameters.hpp"
-#include "io/error.hpp"
-#include "io/input_file.hpp"
+#include "program/parameter_file.hpp"
 #include "program/usage_error.hpp"
 
 namespace groundgrid::program {
@@ -51,16 +50,12 @@ std::string description_of(const Parameter& parameter) {
                      value.is_null() ? "" : unit);
 }
 
-const Parameter& parameter_named(std::string name, const std::string& file) {
+const Parameter& parameter_named(const FileParameter& given) {
+  std::string name = given.name;
   std::replace(name.begin(), name.end(), '-', '_');
   for (const Parameter& parameter : parameters())
     if (parameter.name == name) return parameter;
-  throw UsageError(fmt::format("{}: unknown parameter '{}'", file, name));
-}
-
-std::vector<CLI::ConfigItem> items_in(const std::string& file) {
-  io::InputFile check_readable(file);
-  return CLI::ConfigTOML().from_file(file);
+  throw UsageError(fmt::format("{}: unknown parameter '{}'", given.place, given.name));
 }
 
 // What stands for each of parameters(), in their order; nothing where the value is left alone.
@@ -68,15 +63,12 @@ using Values = std::vector<std::optional<std::string>>;
 
 Values values_in(const std::string& file) {
   Values values(parameters().size());
-  for (const CLI::ConfigItem& item : items_in(file)) {
-    if (!item.parents.empty())
-      throw UsageError(fmt::format("{}: table '{}': parameters stand at the top level, in no table",
-                                   file, item.parents.front()));
-    const Parameter& parameter = parameter_named(item.name, file);
-    if (item.inputs.size() != 1)
-      throw UsageError(
-          fmt::format("{}: {} must be given once and with one value", file, item.name));
-    values[static_cast<std::size_t>(&parameter - parameters().data())] = item.inputs.front();
+  for (FileParameter& given : read_parameter_file(file)) {
+    const Parameter& parameter = parameter_named(given);
+    auto& value = values[static_cast<std::size_t>(&parameter - parameters().data())];
+    if (value)
+      throw UsageError(fmt::format("{}: {} is given for the second time", given.place, given.name));
+    value = std::move(given.value);
   }
   return values;
 }

@@ -3,25 +3,21 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "groundgrid/ground_grid.hpp"
 #include "io/kitti_poses.hpp"
 #include "io/scan_sequence.hpp"
+#include "program/method_notes.hpp"
 
 namespace groundgrid::program {
 
-/// The least and greatest height of the sensor over the ground that were in use, metres.
-struct SensorHeights {
-  double least = 0.0;
-  double greatest = 0.0;
-  bool estimated = false;
+/// The poses of a sequence; nothing for single scans, which plain files always are. Throws
+/// io::Error where poses are needed and cannot be read.
+std::optional<io::KittiPoses> read_poses(const io::ScanSequence& sequence, bool single_scan);
 
-  /// "1.73 m above the ground, as given", "1.70 to 1.75 m above the ground, estimated scan by
-  /// scan".
-  [[nodiscard]] std::string words() const;
-};
+/// The same, throwing io::Error also where a scan of the sequence has no pose.
+std::optional<io::KittiPoses> read_every_pose(const io::ScanSequence& sequence, bool single_scan);
 
 /// What became of one scan. The spans live until the next scan.
 struct ProcessedScan {
@@ -36,23 +32,21 @@ struct ProcessedScan {
 /// the map is forgotten before each scan. Memory is reused from scan to scan.
 class MethodRunner {
  public:
-  /// Throws io::Error where poses are needed and cannot be read.
-  MethodRunner(const Config& config, const io::ScanSequence& sequence, bool single_scan);
+  /// Without poses every scan is a single one. Throws std::runtime_error where memory does not
+  /// hold the map.
+  MethodRunner(const Config& config, std::optional<io::KittiPoses> poses);
 
-  /// Throws io::Error where the scan cannot be read, holds no points or has no pose.
+  /// Throws io::Error where the scan cannot be read, holds no points or has no pose. Warns where
+  /// the map starts anew.
   ProcessedScan process(const io::ScanFile& scan);
 
-  /// Over all scans so far; nothing before the first.
-  [[nodiscard]] const std::optional<SensorHeights>& sensor_heights() const {
-    return sensor_heights_;
-  }
+  /// Over all scans so far.
+  [[nodiscard]] const MethodNotes& notes() const { return notes_; }
 
  private:
-  void note_sensor_height(const ScanResult& result);
-
   GroundGrid grid_;
   std::optional<io::KittiPoses> poses_;  ///< Nothing for single scans.
-  std::optional<SensorHeights> sensor_heights_;
+  MethodNotes notes_;
   std::vector<float> points_;
   std::vector<std::uint32_t> labels_;
 };

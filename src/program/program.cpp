@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <new>
 
 #include "program/evaluate.hpp"
 #include "program/interrupt.hpp"
@@ -31,6 +32,9 @@ int run_app(CLI::App& app, int argc, const char* const* argv) {
   } catch (const UsageError& error) {
     spdlog::error("{}", error.what());
     return kBadUsage;
+  } catch (const std::bad_alloc&) {
+    spdlog::error("not enough memory");
+    return kBadInput;
   } catch (const std::exception& error) {
     spdlog::error("{}", error.what());
     return kBadInput;

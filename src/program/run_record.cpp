@@ -17,21 +17,26 @@ Json counts_json(std::size_t scans, const LabelCounts& counts) {
           {"unknown", counts.unknown}};
 }
 
-Json heights_json(const std::optional<SensorHeights>& heights) {
-  if (!heights) return nullptr;
-  return {
-      {"min_m", heights->least}, {"max_m", heights->greatest}, {"estimated", heights->estimated}};
-}
-
 Json sequence_json(const SequenceRecord& sequence) {
   Json skipped = Json::array();
   for (const SkippedScan& scan : sequence.skipped)
     skipped.push_back({{"file", scan.file.string()}, {"reason", scan.reason}});
-  return {{"sequence", sequence.name.empty() ? Json(nullptr) : Json(sequence.name)},
-          {"folder", sequence.folder.string()},
-          {"counts", counts_json(sequence.scans, sequence.counts)},
-          {"sensor_height", heights_json(sequence.sensor_heights)},
-          {"skipped", skipped}};
+  Json json{{"sequence", sequence.name.empty() ? Json(nullptr) : Json(sequence.name)},
+            {"folder", sequence.folder.string()},
+            {"counts", counts_json(sequence.scans, sequence.counts)}};
+  put_notes(json, sequence.notes);
+  json["skipped"] = skipped;
+  return json;
+}
+
+Json skipped_sequences_json(const RunRecord& record) {
+  Json skipped = Json::array();
+  for (const SkippedSequence& sequence : record.skipped_sequences)
+    skipped.push_back({{"sequence", sequence.name},
+                       {"folder", sequence.folder.string()},
+                       {"scans", sequence.scans},
+                       {"reason", sequence.reason}});
+  return skipped;
 }
 
 }  // namespace
@@ -59,6 +64,7 @@ std::size_t RunRecord::scans() const {
 std::size_t RunRecord::skipped() const {
   std::size_t skipped = 0;
   for (const SequenceRecord& sequence : sequences) skipped += sequence.skipped.size();
+  for (const SkippedSequence& sequence : skipped_sequences) skipped += sequence.scans;
   return skipped;
 }
 
@@ -80,7 +86,8 @@ Json to_json(const RunRecord& record) {
           {"config", to_json(record.config)},
           {"counts", counts_json(record.scans(), counts)},
           {"skipped_scans", record.skipped()},
-          {"sequences", sequences}};
+          {"sequences", sequences},
+          {"skipped_sequences", skipped_sequences_json(record)}};
 }
 
 }  // namespace groundgrid::program

@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "groundgrid/config.hpp"
 #include "groundgrid/ground_grid.hpp"
-#include "program/method_runner.hpp"
+#include "program/method_notes.hpp"
 
 namespace groundgrid::program {
 
@@ -37,8 +36,16 @@ struct SequenceRecord {
   std::filesystem::path folder;  ///< Where the scans came from.
   std::size_t scans = 0;         ///< Segmented, those skipped not among them.
   LabelCounts counts{};
-  std::optional<SensorHeights> sensor_heights{};
+  MethodNotes notes{};
   std::vector<SkippedScan> skipped{};
+};
+
+/// A sequence that --keep-going passed over as a whole: its poses cannot be used.
+struct SkippedSequence {
+  std::string name;
+  std::filesystem::path folder;
+  std::size_t scans = 0;
+  std::string reason;
 };
 
 /// What run.json says about a run.
@@ -49,8 +56,11 @@ struct RunRecord {
   bool single_scan = false;
   Config config{};
   std::vector<SequenceRecord> sequences{};
+  std::vector<SkippedSequence> skipped_sequences{};
 
+  /// Segmented scans.
   [[nodiscard]] std::size_t scans() const;
+  /// Skipped scans, those of skipped sequences among them.
   [[nodiscard]] std::size_t skipped() const;
 };
 

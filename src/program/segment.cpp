@@ -52,6 +52,12 @@ fs::path label_folder(const fs::path& output, const io::ScanSequence& sequence) 
   return sequence.plain() ? output : output / "sequences" / sequence.name / "predictions";
 }
 
+// A sequence and the poses to segment it with.
+struct Job {
+  io::ScanSequence sequence;
+  std::optional<io::KittiPoses> poses;
+};
+
 // One run of `segment`: what is done is in the members, whether or not it comes to its end.
 class Segmentation {
  public:
@@ -69,11 +75,12 @@ class Segmentation {
     if (sequences.front().plain() && !std::exchange(record_.single_scan, true))
       spdlog::info("{} has no poses: every file is taken as a single scan",
                    options_.input.string());
+    std::vector<Job> jobs = jobs_for(sequences);
     make_folder(options_.output);
     // A record of an earlier run must not vouch for the files of one that fails.
     fs::remove(options_.output / "run.json");
     try {
-      for (const io::ScanSequence& sequence : sequences) segment(sequence);
+      for (Job& job : jobs) segment(job.sequence, std::move(job.poses));
     } catch (...) {
       keep_timing();
       throw;
@@ -82,12 +89,31 @@ class Segmentation {
   }
 
  private:
-  void segment(const io::ScanSequence& sequence) {
+  // All poses are read before the first scan, so that bad ones show at once.
+  [[nodiscard]] std::vector<Job> jobs_for(const std::vector<io::ScanSequence>& sequences) {
+    std::vector<Job> jobs;
+    for (const io::ScanSequence& sequence : sequences) {
+      try {
+        // A scan without a pose is skipped alone where bad scans are to be skipped.
+        jobs.push_back({sequence, options_.keep_going
+                                      ? read_poses(sequence, record_.single_scan)
+                                      : read_every_pose(sequence, record_.single_scan)});
+      } catch (const io::Error& error) {
+        if (!options_.keep_going) throw;
+        spdlog::warn("skipped sequence {}: {}", sequence.name, error.what());
+        record_.skipped_sequences.push_back(
+            {sequence.name, sequence.folder, sequence.scans.size(), error.what()});
+      }
+    }
+    return jobs;
+  }
+
+  void segment(const io::ScanSequence& sequence, std::optional<io::KittiPoses> poses) {
     const fs::path folder = label_folder(options_.output, sequence);
     make_folder(folder);
     record_.sequences.push_back({.name = sequence.name, .folder = sequence.folder});
     SequenceRecord& record = record_.sequences.back();
-    MethodRunner runner(record_.config, sequence, record_.single_scan);
+    MethodRunner runner(record_.config, std::move(poses));
     for (const io::ScanFile& scan : sequence.scans) {
       check_interrupt();
       const auto processed = process(runner, scan, record);
@@ -97,7 +123,7 @@ class Segmentation {
       record.counts.add(processed->result);
       timing_.add({record.name, scan.name, processed->labels.size(), processed->milliseconds});
     }
-    record.sensor_heights = runner.sensor_heights();
+    record.notes = runner.notes();
     announce(record);
   }
 
@@ -116,8 +142,7 @@ class Segmentation {
 
   static void announce(const SequenceRecord& record) {
     const std::string name = record.name.empty() ? "" : fmt::format("sequence {}: ", record.name);
-    const std::string height =
-        record.sensor_heights ? fmt::format(", sensor {}", record.sensor_heights->words()) : "";
+    const std::string height = record.scans > 0 ? ", " + record.notes.sensor_words() : "";
     spdlog::info("{}segmented {} of {} scans{}", name, record.scans,
                  record.scans + record.skipped.size(), height);
   }

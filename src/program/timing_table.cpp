@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/atomic_file.hpp"
+#include "io/csv_field.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
@@ -19,15 +20,6 @@ namespace groundgrid::program {
 namespace {
 
 constexpr std::string_view kHeader = "sequence,scan,points,milliseconds";
-
-// The names of files may hold anything; RFC 4180 says how a table holds them.
-std::string quoted(const std::string& field) {
-  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-  std::string text = "\"";
-  for (const char letter : field)
-    text += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return text + "\"";
-}
 
 // Takes the first field, and the comma after it, from the front of `rest`.
 std::string take_field(std::string_view& rest) {
@@ -81,8 +73,8 @@ std::vector<TimingTable::Line> TimingTable::read(const std::filesystem::path& pa
 
 void TimingTable::add(const TimingRow& row) {
   lines_.push_back({row.sequence, row.scan,
-                    fmt::format("{},{},{},{:.3f}", quoted(row.sequence), quoted(row.scan),
-                                row.points, row.milliseconds)});
+                    fmt::format("{},{},{},{:.3f}", io::csv_field(row.sequence),
+                                io::csv_field(row.scan), row.points, row.milliseconds)});
 }
 
 void TimingTable::write() const {

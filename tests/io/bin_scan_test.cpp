@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/error.hpp"
+#include "oversized_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace groundgrid::io {
@@ -59,6 +60,18 @@ TEST(BinScan, RejectsWhatIsNoFile) {
                        "expected a file, got a directory"));
   EXPECT_TRUE(contains(message_of<Error>([&] { read_bin_scan("/dev/null", points); }),
                        "expected a regular file"));
+}
+
+using OversizedScan = test::OversizedFile;
+
+TEST_F(OversizedScan, IsNamed) {
+  test::make_sparse_file(folder / "huge.bin", kBytes);
+  std::vector<float> points(4, 1.0F);
+  const std::string message =
+      message_of<Error>([&] { read_bin_scan(folder / "huge.bin", points); });
+  EXPECT_TRUE(contains(message, (folder / "huge.bin").string()));
+  EXPECT_TRUE(contains(message, "expected a file that fits into memory, got 17179869184 bytes"));
+  EXPECT_EQ(points.size(), 4U);
 }
 
 }  // namespace

@@ -66,6 +66,28 @@ TEST_F(Evaluate, PrintsJsonAlone) {
   EXPECT_GT(report["sequences"][0]["median_ms"].get<double>(), 0.0);
 }
 
+TEST_F(Evaluate, RecordsWhatTheMethodFoundOut) {
+  const json sequence = json::parse(evaluate("--json").output)["sequences"][1];
+  EXPECT_EQ(sequence["sensor_height"]["estimated"], true);
+  EXPECT_NEAR(sequence["sensor_height"]["min_m"].get<double>(), 1.73, 0.02);
+  EXPECT_NEAR(sequence["sensor_height"]["max_m"].get<double>(), 1.73, 0.02);
+  EXPECT_EQ(sequence["map_restarts"], 0);
+  const json given = json::parse(evaluate("--json --sensor-height-m 1.7").output)["sequences"][0];
+  EXPECT_EQ(given["sensor_height"], (json{{"min_m", 1.7}, {"max_m", 1.7}, {"estimated", false}}));
+  predict_truth();
+  const json read = json::parse(evaluate_predictions("--json").output)["sequences"][0];
+  EXPECT_FALSE(read.contains("sensor_height"));
+  EXPECT_FALSE(read.contains("map_restarts"));
+}
+
+TEST_F(Evaluate, ReadsAllPosesBeforeTheFirstScan) {
+  fs::remove(dataset.folder / "sequences/01/calib.txt");
+  const ProgramRun run = evaluate();
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, "sequences/01/calib.txt"));
+  EXPECT_FALSE(contains(run.words, "sequence 00"));
+}
+
 TEST_F(Evaluate, PrintsCsv) {
   const ProgramRun run = evaluate("--csv --sequence 1");
   ASSERT_EQ(run.exit_code, 0) << run.words;

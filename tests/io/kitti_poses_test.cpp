@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "io/error.hpp"
+#include "oversized_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace groundgrid::io {
@@ -62,6 +63,20 @@ TEST(KittiPoses, MustBeRigid) {
   EXPECT_TRUE(contains(message, "no rotation and translation"));
 }
 
+// All that is let through is made exact, so that no stricter check finds fault with it later.
+TEST(KittiPoses, AreExactlyRigidOnceRead) {
+  const KittiPoses poses = read(
+      "1.0004 0 0 0 0 1.0004 0 0 0 0 1.0004 5\n0.9996 0 0 0 0 0.9996 0 0 0 0 0.9996 5\n"
+      "0.6 -0.8 4.5e-4 1 0.8 0.6 4.5e-4 2 -4.5e-4 -4.5e-4 1 3\n",
+      "Tr: 0 -1.0004 0 0 0 0 -1.0004 -0.08 1.0004 0 0 -0.27\n");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Matrix3d rotation = poses.pose(i).linear();
+    EXPECT_LT((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12) << i;
+  }
+  EXPECT_TRUE(contains(message_of<Error>([] { read("1.0006 0 0 0 0 1.0006 0 0 0 0 1.0006 5\n"); }),
+                       "poses.txt, line 1"));
+}
+
 TEST(KittiPoses, MustBeTwelveNumbers) {
   EXPECT_TRUE(contains(message_of<Error>([] { read("1 0 0 0 0 1 0 0 0 0 1\n"); }),
                        "line 1: expected the twelve numbers of a rigid transform, got 11 numbers"));
@@ -77,6 +92,15 @@ TEST(KittiPoses, AreNoDirectory) {
   const test::TemporaryFolder folder;
   EXPECT_TRUE(contains(message_of<Error>([&] { KittiPoses(folder.path(), folder / "calib.txt"); }),
                        "expected a file, got a directory"));
+}
+
+using OversizedPoses = test::OversizedFile;
+
+TEST_F(OversizedPoses, AreNamed) {
+  test::make_sparse_file(folder / "poses.txt", kBytes);
+  EXPECT_TRUE(
+      contains(message_of<Error>([&] { KittiPoses(folder / "poses.txt", folder / "calib.txt"); }),
+               "poses.txt: expected a file that fits into memory"));
 }
 
 }  // namespace

@@ -70,12 +70,12 @@ TEST(MethodOptions, NameWhatIsWrong) {
   EXPECT_TRUE(
       contains(message_of<UsageError>([] { config_from("--cell-size-m 1e9"); }), "cell_size_m"));
   EXPECT_TRUE(contains(message_of<UsageError>([] { config_from_file("cell_size = 1\n"); }),
-                       "p.toml: unknown parameter 'cell_size'"));
+                       "p.toml, line 1: unknown parameter 'cell_size'"));
   EXPECT_TRUE(contains(message_of<UsageError>([] { config_from_file("[map]\ncell_size_m = 1\n"); }),
-                       "table 'map'"));
+                       "[map]: parameters stand at the top level, in no table"));
   EXPECT_TRUE(contains(
-      message_of<UsageError>([] { config_from_file("cell_size_m = 1\ncell_size_m = 2\n"); }),
-      "cell_size_m"));
+      message_of<UsageError>([] { config_from_file("cell_size_m = 1\ncell-size-m = 2\n"); }),
+      "p.toml, line 2: cell-size-m is given for the second time"));
   EXPECT_THROW(config_from_file("cell_size_m =\n"), UsageError);
   EXPECT_THROW(config_from_file("cell_size_m = [1, 2]\n"), UsageError);
   EXPECT_THROW(config_from("--config /nowhere/p.toml"), io::Error);

@@ -106,5 +106,11 @@ TEST(Report, GivesCsvWithAsManyFieldsInEveryRow) {
   }
 }
 
+TEST(Report, QuotesNamesInCsv) {
+  const Report report{.title = "",
+                      .sequences = {{.name = "a,\"b\"", .metrics = metrics_of({40}, {40})}}};
+  EXPECT_TRUE(contains(to_csv(report), "\nsequence,\"a,\"\"b\"\"\",1,1,0,"));
+}
+
 }  // namespace
 }  // namespace groundgrid::evaluation

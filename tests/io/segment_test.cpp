@@ -10,16 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "oversized_file.hpp"
 #include "run_program.hpp"
+#include "sanitized.hpp"
 #include "synthetic_dataset.hpp"
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define GROUNDGRID_SANITIZED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define GROUNDGRID_SANITIZED
-#endif
-#endif
 
 namespace groundgrid::program {
 namespace {
@@ -137,6 +131,95 @@ TEST_F(Segment, SaysWhatToDoWithoutPoses) {
   EXPECT_EQ(record()["single_scan"], true);
 }
 
+TEST_F(Segment, ReadsAllPosesBeforeTheFirstScan) {
+  dataset.add_sequence("00", 1);
+  dataset.add_sequence("01", 3);
+  const fs::path poses = dataset.folder / "sequences/01/poses.txt";
+  const std::string one = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+  for (const std::string& text : {std::string("no poses\n"), one + one}) {
+    test::write_file(poses, text);
+    const ProgramRun run = segment();
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_TRUE(contains(run.words, poses.string() + ", line "));
+    EXPECT_FALSE(fs::exists(output()));
+  }
+}
+
+TEST_F(Segment, SkipsSequencesWithoutUsablePosesIfAskedTo) {
+  dataset.add_sequence("00", 2);
+  dataset.add_sequence("01", 1);
+  dataset.add_sequence("02", 3);
+  fs::remove(dataset.folder / "sequences/00/poses.txt");
+  test::write_file(dataset.folder / "sequences/02/calib.txt", "P0: 1 2 3\n");
+  const ProgramRun run = segment("--keep-going");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_TRUE(contains(run.words, "skipped sequence 00: "));
+  EXPECT_EQ(files_below(output()),
+            (Names{"run.json", "sequences/01/predictions/000000.label", "timing.csv"}));
+  const json written = record();
+  EXPECT_EQ(written["complete"], false);
+  EXPECT_EQ(written["skipped_scans"], 5);
+  EXPECT_EQ(written["sequences"].size(), 1U);
+  ASSERT_EQ(written["skipped_sequences"].size(), 2U);
+  const json& last = written["skipped_sequences"][1];
+  EXPECT_EQ(last["sequence"], "02");
+  EXPECT_EQ(last["scans"], 3);
+  EXPECT_TRUE(contains(last["reason"].get<std::string>(), "calib.txt"));
+}
+
+TEST_F(Segment, SkipsScansWithoutAPoseIfAskedTo) {
+  dataset.add_sequence("00", 3);
+  test::write_file(dataset.folder / "sequences/00/poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  ASSERT_EQ(segment("--keep-going").exit_code, 0);
+  EXPECT_EQ(record()["counts"]["scans"], 1);
+  EXPECT_EQ(record()["sequences"][0]["skipped"].size(), 2U);
+}
+
+TEST_F(Segment, FailsWhereNoSequenceIsGood) {
+  dataset.add_sequence("00", 2);
+  fs::remove(dataset.folder / "sequences/00/poses.txt");
+  const ProgramRun run = segment("--keep-going");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, "all 2 were skipped"));
+  EXPECT_FALSE(fs::exists(output() / "run.json"));
+}
+
+TEST_F(Segment, TakesPosesThatAreNearlyRigid) {
+  dataset.add_sequence("00", 2);
+  test::write_file(dataset.folder / "sequences/00/poses.txt",
+                   "1 0 0 0 0 1 0 0 0 0 1 0\n1.0004 0 0 0 0 1.0004 0 0 0 0 1.0004 1\n");
+  const ProgramRun run = segment();
+  EXPECT_EQ(run.exit_code, 0) << run.words;
+}
+
+TEST_F(Segment, ReportsThatTheMapStartsAnew) {
+  dataset.add_sequence("00", 3);
+  dataset.add_sequence("01", 1);
+  test::write_file(dataset.folder / "sequences/00/poses.txt",
+                   "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 1\n"
+                   "1 0 0 0 0 1 0 0 0 0 1 101\n");
+  const ProgramRun run = segment();
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_TRUE(contains(run.words, dataset.scan_file("00", 2).string() + ": its pose is more than"));
+  EXPECT_FALSE(contains(run.words, dataset.scan_file("00", 1).string()));
+  EXPECT_EQ(record()["sequences"][0]["map_restarts"], 1);
+  EXPECT_EQ(record()["sequences"][1]["map_restarts"], 0);
+}
+
+TEST_F(Segment, SaysWhereNoScanShowsTheSensorHeight) {
+  std::vector<float> wall;
+  for (int column = 0; column < 100; ++column)
+    for (int row = 0; row < 20; ++row)
+      for (const double value : {-5.0 + 0.1 * column, 6.0, -1.4 + 0.15 * row, 0.5})
+        wall.push_back(static_cast<float>(value));
+  dataset.add_sequence("00", 2);
+  for (const std::size_t scan : {0U, 1U}) test::write_numbers(dataset.scan_file("00", scan), wall);
+  const ProgramRun run = segment();
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_TRUE(contains(run.words, "sensor height not found: no flat ground in any scan"));
+  EXPECT_EQ(record()["sequences"][0]["sensor_height"], nullptr);
+}
+
 TEST_F(Segment, TakesPlainFilesAsSingleScans) {
   dataset.add_sequence("00", 2);
   const auto plain = [&](const fs::path& input) {
@@ -212,6 +295,20 @@ TEST_F(Segment, NoticesThatStandardOutputIsFull) {
   EXPECT_TRUE(contains(run.words, "standard output"));
 }
 
+TEST_F(Segment, NoticesThatNobodyReadsItsOutput) {
+  dataset.add_sequence("00", 1);
+  int ends[2] = {};
+  ASSERT_EQ(::pipe(ends), 0);
+  ::close(ends[0]);
+  const fs::path to_closed_pipe = "/dev/fd/" + std::to_string(ends[1]);
+  const ProgramRun run = run_program(
+      "segment " + shell_word(dataset.path()) + " --output " + shell_word(output()) + " --json", "",
+      to_closed_pipe);
+  ::close(ends[1]);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, "standard output: expected a place to write to"));
+}
+
 TEST_F(Segment, RefusesAFileAsOutputFolder) {
   dataset.add_sequence("00", 1);
   test::write_file(output(), "in the way");
@@ -243,8 +340,29 @@ class LongRun : public Segment {
   }
 };
 
-// Sanitizers hold memory back, so that peaks say nothing about the program.
 #if !defined(GROUNDGRID_SANITIZED)
+TEST_F(Segment, SkipsAScanThatMemoryDoesNotHold) {
+  dataset.add_sequence("00", 2);
+  test::make_sparse_file(dataset.scan_file("00", 0), std::uintmax_t{16} << 30U);
+  const std::string little_memory = "ulimit -v 4000000; ";
+  const ProgramRun run = segment("", little_memory);
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, dataset.scan_file("00", 0).string()));
+  ASSERT_EQ(segment("--keep-going", little_memory).exit_code, 0);
+  EXPECT_EQ(record()["sequences"][0]["skipped"][0]["file"], dataset.scan_file("00", 0).string());
+}
+
+TEST_F(Segment, SaysWhichParametersMakeTheMapTooLarge) {
+  dataset.add_sequence("00", 1);
+  for (const std::string more : {"", " --keep-going"}) {
+    const ProgramRun run =
+        segment("--cell-size-m 0.04 --map-extent-m 160" + more, "ulimit -v 1000000; ");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_TRUE(contains(run.words, "4000 x 4000 cells (map_extent_m = 160, cell_size_m = 0.04)"));
+    EXPECT_TRUE(contains(run.words, "about 2400 MB"));
+  }
+}
+
 TEST_F(LongRun, KeepsItsMemoryFlat) {
   const auto peak_kilobytes = [this](std::size_t scans) {
     fs::remove_all(dataset.folder / "sequences");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "io/error.hpp"
+#include "oversized_file.hpp"
 #include "temporary_folder.hpp"
 
 namespace groundgrid::io {
@@ -55,6 +56,17 @@ TEST(SemanticKittiLabels, MustBeWhole) {
   test::write_file(folder / "a.label", "12345");
   std::vector<std::uint32_t> labels;
   EXPECT_THROW(read_labels(folder / "a.label", "a.bin", 1, labels), Error);
+}
+
+using OversizedLabels = test::OversizedFile;
+
+TEST_F(OversizedLabels, AreNamed) {
+  test::make_sparse_file(folder / "huge.label", kBytes);
+  std::vector<std::uint32_t> labels;
+  const std::string message = message_of<Error>([&] {
+    read_labels(folder / "huge.label", "huge.bin", kBytes / sizeof(std::uint32_t), labels);
+  });
+  EXPECT_TRUE(contains(message, "huge.label: expected a file that fits into memory"));
 }
 
 }  // namespace

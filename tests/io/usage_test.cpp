@@ -37,6 +37,16 @@ INSTANTIATE_TEST_SUITE_P(
                       "evaluate /tmp --predictions /tmp --preset paper",
                       "evaluate /tmp --predictions /tmp --cell-size-m 0.3"));
 
+TEST(Usage, AnArrayInAParameterFileIsNoValue) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "p.toml", "map_extent_m = [120\n");
+  const ProgramRun run =
+      run_program("evaluate /tmp --config " + test::shell_word(folder / "p.toml"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.words, (folder / "p.toml").string()));
+  EXPECT_TRUE(contains(run.words, "map_extent_m"));
+}
+
 class BadInput : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadInput, EndsWithOneAndWordsOnStandardError) {

@@ -217,12 +217,12 @@ TEST_F(RejectedInput, ScansThatEndBeforeTheyBegin) {
 
 TEST(Input, CellsOutsideOfTheTerrainAreRejected) {
   GroundGrid grid;
-  EXPECT_THROW(grid.terrain().cell(0, 0), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(grid.terrain().cell(0, 0)), std::out_of_range);
   grid.process(street_drive(1)[0].scan());
   const TerrainView terrain = grid.terrain();
-  EXPECT_NO_THROW(terrain.cell(0, terrain.size - 1));
-  EXPECT_THROW(terrain.cell(terrain.size, 0), std::out_of_range);
-  EXPECT_THROW(terrain.cell(0, -1), std::out_of_range);
+  EXPECT_NO_THROW(static_cast<void>(terrain.cell(0, terrain.size - 1)));
+  EXPECT_THROW(static_cast<void>(terrain.cell(terrain.size, 0)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(terrain.cell(0, -1)), std::out_of_range);
 }
 
 TEST(Input, ConfigsOutOfRangeAreRejected) {

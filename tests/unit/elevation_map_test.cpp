@@ -18,6 +18,10 @@ Config small_map() {
   return config;
 }
 
+double height_at(const Plane& plane, double x, double y) {
+  return plane.z + plane.offset + plane.slope_x * (x - plane.x) + plane.slope_y * (y - plane.y);
+}
+
 /// Heights and confidences by lattice cell, in the map frame.
 class Oracle {
  public:
@@ -44,7 +48,7 @@ class Oracle {
         const auto known = cells.find(cell);
         const double x = map.min_x() + (column + 0.5) * cell_size_;
         const double y = map.min_y() + (row + 0.5) * cell_size_;
-        window[cell] = known == cells.end() ? Cell{plane.height_at(x, y), 0.0F} : known->second;
+        window[cell] = known == cells.end() ? Cell{height_at(plane, x, y), 0.0F} : known->second;
       }
     }
     cells = std::move(window);
@@ -106,8 +110,8 @@ void drive(double step_m, double climb_m, int moves, unsigned seed) {
   expect_equal(map, oracle, "start");
   for (int move = 0; move < moves; ++move) {
     scribble(map, oracle, random);
-    plane = {plane.x + step(random), plane.y + step(random), plane.z + climb(random), slope(random),
-             slope(random)};
+    plane = {plane.x + step(random), plane.y + step(random), plane.z + climb(random),
+             slope(random),          slope(random),          climb(random)};
     map.follow(plane);
     oracle.follow(map, plane);
     expect_centred(map, plane);
