@@ -113,6 +113,7 @@ void run_method_on_all(const EvaluateOptions& options, const Config& config,
                        const std::vector<io::ScanSequence>& sequences, Evaluation& result) {
   // All poses are read before the first scan, so that bad ones show at once.
   std::vector<std::optional<io::KittiPoses>> poses;
+  poses.reserve(sequences.size());
   for (const io::ScanSequence& sequence : sequences)
     poses.push_back(read_every_pose(sequence, options.method.single_scan()));
   for (std::size_t i = 0; i < sequences.size(); ++i)
