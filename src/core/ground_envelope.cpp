@@ -47,7 +47,8 @@ void GroundEnvelope::list_candidates(const ScanGrid& grid, const ElevationMap& m
                                      const Plane& vehicle_plane, const GroundCells& ground_cells) {
   const auto rise_x = static_cast<float>(vehicle_plane.slope_x * map.cell_size());
   const auto rise_y = static_cast<float>(vehicle_plane.slope_y * map.cell_size());
-  const auto middle = static_cast<float>(size_ / 2);
+  const int middle_cell = size_ / 2;
+  const auto middle = static_cast<float>(middle_cell);
   candidates_.clear();
   for (std::size_t i = 0; i < grid.occupied.size(); ++i) {
     const GroundCell& seen = ground_cells.cells()[i];
