@@ -53,7 +53,10 @@ class Stages {
   void reject_raised() {
     if (config_.reject_raised) envelope_.reject_raised(grid_, map_, ground_, config_, cells_);
   }
-  void update() { update_elevation(grid_, cells_, config_, runner_, map_); }
+  void update() {
+    update_elevation(grid_, cells_, config_, runner_, map_);
+    map_.mark_observed();
+  }
   void interpolate_map() {
     const Point3f sensor = positions_.sensors.front();
     interpolate(cells_.is_ground(), map_.nearest_cell(sensor.x), map_.nearest_cell(sensor.y),
