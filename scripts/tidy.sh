@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # tidy.sh BUILD_FOLDER JOBS: clang-tidy 14 over src and, through it, include. Needs a configured
-# build folder; the headers that no source includes are checked on their own.
+# build folder. Headers that no source includes (the adapters) are left to the tests that use them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$1
