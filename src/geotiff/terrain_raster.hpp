@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid::geotiff {
+
+/// Value of cells that no scan said anything about, in every band.
+inline constexpr float kNoData = -9999.0F;
+
+/// The bands of a terrain raster, all 32-bit floats.
+///  1 height: metres in the map frame; over a drive the mean weighted by confidence
+///  2 confidence: 0 to 1; over a drive the highest that the cell reached
+///  3 count: points that fell into the cell; over a drive the sum
+inline constexpr int kTerrainBands = 3;
+
+/// Writes the map as it stands after one scan as a GeoTIFF: north-up (row 0 has the greatest y,
+/// column 0 the least x), pixel = cell, DEFLATE, tiled. `crs` is anything that PROJ understands
+/// ("EPSG:32632") or empty for a local frame. Complete or not at all. Throws io::Error where the
+/// file cannot be written, std::invalid_argument where the CRS is unknown.
+void write_terrain(const std::filesystem::path& path, const TerrainView& terrain,
+                   const std::string& crs = {});
+
+}  // namespace groundgrid::geotiff

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/point_cloud.hpp"
+#include "io/scan_format.hpp"
+
+namespace groundgrid::io {
+
+/// Reads a scan in any of the formats into `cloud`, whose memory is reused. Every cloud has the
+/// fields x, y and z. Coordinates are metres in the LiDAR's frame, NaN and infinite ones are kept
+/// as they are. A file of no points gives an empty cloud. Throws Error that names the file, the
+/// place and the remedy where the file cannot be read, is cut short, promises more points than it
+/// holds or has no x, y, z.
+void read_scan(const std::filesystem::path& path, ScanFormat format, PointCloud& cloud);
+
+}  // namespace groundgrid::io

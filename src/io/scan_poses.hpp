@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "io/scan_sequence.hpp"
+
+namespace groundgrid::io {
+
+/// The pose of the LiDAR at each scan of a sequence.
+class ScanPoses {
+ public:
+  /// poses.txt and calib.txt of a KITTI sequence. The file holds the camera's poses P, one a line;
+  /// the LiDAR's is Tr⁻¹·P·Tr, in the frame of the LiDAR at scan 0. The line with index k (from 0)
+  /// belongs to the scan with the number k, whether or not all scans are on disk. Throws Error
+  /// where a file cannot be read or a line is no rigid transform.
+  static ScanPoses kitti(const std::filesystem::path& poses,
+                         const std::filesystem::path& calibration);
+
+  /// A file of the LiDAR's own poses in the map frame, told apart by the numbers in a line:
+  ///  - KITTI: the twelve numbers of [R | t], row by row;
+  ///  - TUM: time tx ty tz qx qy qz qw, seconds and metres, comments with '#'.
+  /// With a `calibration` the poses are the camera's, as in kitti().
+  ///
+  /// TUM poses are interpolated at a scan's time where the sequence has times.txt. Otherwise, and
+  /// in KITTI form always, a line belongs to the scan of its number where every number has a line,
+  /// else to the scan of its place in order where there are as many lines as scans. Throws Error
+  /// where a file cannot be read, a line is no pose, or the lines cannot be matched.
+  static ScanPoses from_file(const std::filesystem::path& poses, const ScanSequence& sequence,
+                             const std::optional<std::filesystem::path>& calibration = {});
+
+  /// Poses that the file holds.
+  [[nodiscard]] std::size_t size() const;
+
+  /// T_map_lidar at a scan of the sequence. Throws Error, with the file and the line that is
+  /// missing, where there is none.
+  [[nodiscard]] Eigen::Isometry3d pose(const ScanFile& scan) const;
+};
+
+}  // namespace groundgrid::io
