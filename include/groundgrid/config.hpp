@@ -2,12 +2,14 @@
 
 #include <optional>
 
+#include "groundgrid/export.hpp"
+
 namespace groundgrid {
 
 /// Every value the method depends on. `Config{}` is what works best on the real scans we can
 /// measure; `Config::paper()` follows the paper to the letter. docs/method.md explains each
 /// deviation of the default, groundgrid/parameters.hpp lists unit, range and paper symbol.
-struct Config {
+struct GROUNDGRID_EXPORT Config {
   // Map
   /// Side of the square map around the vehicle. (m)
   double map_extent_m = 120.0;

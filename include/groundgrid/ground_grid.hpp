@@ -6,6 +6,7 @@
 #include <span>
 
 #include "groundgrid/config.hpp"
+#include "groundgrid/export.hpp"
 #include "groundgrid/label.hpp"
 #include "groundgrid/scan.hpp"
 #include "groundgrid/terrain_view.hpp"
@@ -49,7 +50,7 @@ struct ScanOutput {
 /// coordinates of b into a. Two objects share nothing and may run in two threads; one object is
 /// for one thread at a time. Labels and terrain are the same bits for any number of threads and
 /// any order of the points. Once warm and once the ground is found, process() allocates nothing.
-class GroundGrid {
+class GROUNDGRID_EXPORT GroundGrid {
  public:
   /// Throws std::invalid_argument where config.validate() does.
   explicit GroundGrid(const Config& config = {});
@@ -89,7 +90,7 @@ class GroundGrid {
   [[nodiscard]] const Config& config() const;
 
  private:
-  class Pipeline;
+  class GROUNDGRID_NO_EXPORT Pipeline;
   std::unique_ptr<Pipeline> pipeline_;
 };
 
@@ -98,6 +99,7 @@ class GroundGrid {
 /// nearer than Config::min_range_m and in the own vehicle's box (taken to be in the sensor's frame)
 /// do not count. Throws std::invalid_argument where the view's offsets do not fit its stride. See
 /// docs/method.md.
-std::optional<double> estimate_sensor_height(const PointView& points, const Config& config = {});
+GROUNDGRID_EXPORT std::optional<double> estimate_sensor_height(const PointView& points,
+                                                               const Config& config = {});
 
 }  // namespace groundgrid

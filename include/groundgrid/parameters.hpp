@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "groundgrid/config.hpp"
+#include "groundgrid/export.hpp"
 
 namespace groundgrid {
 
@@ -25,10 +26,10 @@ struct Parameter {
 };
 
 /// All fields of Config, in the order of the struct.
-std::span<const Parameter> parameters();
+GROUNDGRID_EXPORT std::span<const Parameter> parameters();
 
 /// Sets one field from text ("0.33", "true", "none"). Throws std::invalid_argument with the name
 /// and the range where the name is unknown or the text is no value of the field's type.
-void set_parameter(Config& config, std::string_view name, std::string_view value);
+GROUNDGRID_EXPORT void set_parameter(Config& config, std::string_view name, std::string_view value);
 
 }  // namespace groundgrid

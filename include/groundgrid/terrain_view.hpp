@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "groundgrid/export.hpp"
+
 namespace groundgrid {
 
 /// What the map knows about one cell. Heights in metres, in the map frame.
@@ -19,7 +21,7 @@ struct TerrainCell {
 /// Exact moments of the heights of one cell's points in one scan. Heights are whole steps of
 /// 0.1 mm above TerrainView::z_origin_m, so that sums are exact and no order of the points, no
 /// number of threads and no instruction set changes a bit (paper III-B uses Welford's method).
-struct CellStatistics {
+struct GROUNDGRID_EXPORT CellStatistics {
   static constexpr double kStep_m = 1e-4;
 
   std::int64_t sum = 0;           ///< Sum of heights, steps.
@@ -37,7 +39,7 @@ struct CellStatistics {
 /// A read-only view of the rolling map: size × size square cells, row by row, x fastest.
 /// Cell (column, row) covers [min_x_m + column·cell_size_m, …) × [min_y_m + row·cell_size_m, …)
 /// of the map frame. Valid until the next process() or reset() of the GroundGrid it came from.
-struct TerrainView {
+struct GROUNDGRID_EXPORT TerrainView {
   int size = 0;                              ///< Cells along x and along y.
   double cell_size_m = 0.0;                  ///< Length of a cell's side.
   double min_x_m = 0.0;                      ///< Map frame x of the outer edge of column 0.

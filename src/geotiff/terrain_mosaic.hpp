@@ -18,7 +18,7 @@ class TerrainMosaic {
  public:
   /// `path` is the GeoTIFF to be. Throws io::Error where its folder is not writable,
   /// std::invalid_argument where PROJ does not understand the CRS.
-  explicit TerrainMosaic(std::filesystem::path path, std::string crs = {});
+  explicit TerrainMosaic(std::filesystem::path path, const std::string& crs = {});
   /// Without finish() nothing stays on disk.
   ~TerrainMosaic();
   TerrainMosaic(TerrainMosaic&&) noexcept;

@@ -10,6 +10,7 @@
 
 #include "program/evaluate.hpp"
 #include "program/interrupt.hpp"
+#include "program/params.hpp"
 #include "program/segment.hpp"
 #include "program/usage_error.hpp"
 #include "program/version.hpp"
@@ -52,6 +53,7 @@ int run(int argc, const char* const* argv) {
   app.require_subcommand(1);
   add_segment(app);
   add_evaluate(app);
+  add_params(app);
   return run_app(app, argc, argv);
 }
 

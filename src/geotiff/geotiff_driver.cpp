@@ -1,0 +1,15 @@
+#include "geotiff/geotiff_driver.hpp"
+
+#include <gdal_frmts.h>
+
+namespace groundgrid::geotiff {
+
+GDALDriver& geotiff_driver() {
+  [[maybe_unused]] static const bool registered = [] {
+    GDALRegister_GTiff();
+    return true;
+  }();
+  return *GetGDALDriverManager()->GetDriverByName("GTiff");
+}
+
+}  // namespace groundgrid::geotiff

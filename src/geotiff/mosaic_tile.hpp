@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid::geotiff {
+
+/// Cells side by side in one row of a TerrainView.
+struct CellSpan {
+  std::span<const float> relative_height;
+  std::span<const float> confidence;
+  std::span<const CellStatistics> statistics;
+  double z_origin_m;
+};
+
+/// What a drive has told about kSide × kSide cells, row by row, x fastest, row 0 in the south.
+/// Plain numbers without padding, so that a tile goes to disk and back as its bytes.
+struct MosaicTile {
+  static constexpr int kSide = 128;
+  static constexpr std::size_t kCells = std::size_t{kSide} * kSide;
+
+  std::array<double, kCells> weighted_height{};  ///< Sum of confidence · height, m.
+  std::array<double, kCells> weight{};           ///< Sum of confidence.
+  std::array<float, kCells> confidence{};        ///< Highest that there was.
+  std::array<std::uint32_t, kCells> points{};    ///< Sum; stays at its greatest value once there.
+
+  /// Adds one scan's cells, which lie in one row from (column, row) on.
+  void add(std::size_t column, std::size_t row, const CellSpan& cells);
+};
+
+}  // namespace groundgrid::geotiff

@@ -1,0 +1,108 @@
+#include "geotiff/terrain_file.hpp"
+
+#include <cpl_string.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "io/error.hpp"
+
+namespace groundgrid::geotiff {
+namespace {
+
+// The offsets of so many blocks alone take 48 MB. At 0.33 m cells it is a square of 84 km.
+constexpr std::int64_t kMostBlocks = 1'000'000;
+
+struct Band {
+  const char* name;
+  const char* unit;
+};
+constexpr std::array<Band, kTerrainBands> kBands{
+    {{"height", "m"}, {"confidence", ""}, {"count", ""}}};
+
+std::int64_t blocks_over(std::int64_t cells) {
+  return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;
+}
+
+void check_size(const std::filesystem::path& path, const RasterGrid& grid) {
+  if (blocks_over(grid.columns) <= kMostBlocks / blocks_over(grid.rows)) return;
+  throw io::Error({.file = path,
+                   .expected = "a drive that one raster can hold",
+                   .got = fmt::format("one over {:.0f} km by {:.0f} km",
+                                      static_cast<double>(grid.columns) * grid.cell_size_m / 1000.0,
+                                      static_cast<double>(grid.rows) * grid.cell_size_m / 1000.0),
+                   .remedy = "check the poses for one that is far off"});
+}
+
+GDALDataset* create(const std::filesystem::path& path, const RasterGrid& grid) {
+  const std::string side = std::to_string(TerrainBlock::kSide);
+  CPLStringList options;
+  options.SetNameValue("TILED", "YES");
+  options.SetNameValue("BLOCKXSIZE", side.c_str());
+  options.SetNameValue("BLOCKYSIZE", side.c_str());
+  options.SetNameValue("INTERLEAVE", "BAND");
+  options.SetNameValue("COMPRESS", "DEFLATE");
+  options.SetNameValue("PREDICTOR", "3");
+  options.SetNameValue("BIGTIFF", "IF_SAFER");
+  options.SetNameValue("SPARSE_OK", "TRUE");
+  return geotiff_driver().Create(path.c_str(), static_cast<int>(grid.columns),
+                                 static_cast<int>(grid.rows), kTerrainBands, GDT_Float32,
+                                 options.List());
+}
+
+}  // namespace
+
+TerrainFile::TerrainFile(const std::filesystem::path& path, const RasterGrid& grid,
+                         const std::optional<OGRSpatialReference>& crs)
+    : path_(path), file_(path), grid_(grid) {
+  check_size(path, grid);
+  dataset_.reset(create(file_.hidden(), grid));
+  check(dataset_ != nullptr);
+  describe(grid, crs);
+}
+
+void TerrainFile::describe(const RasterGrid& grid, const std::optional<OGRSpatialReference>& crs) {
+  const double max_y = grid.min_y_m + static_cast<double>(grid.rows) * grid.cell_size_m;
+  std::array<double, 6> transform{grid.min_x_m, grid.cell_size_m, 0.0, max_y,
+                                  0.0,          -grid.cell_size_m};
+  check(dataset_->SetGeoTransform(transform.data()) == CE_None);
+  if (crs) check(dataset_->SetSpatialRef(&*crs) == CE_None);
+  for (int index = 0; index < kTerrainBands; ++index) {
+    GDALRasterBand& band = *dataset_->GetRasterBand(index + 1);
+    const Band& what = kBands[static_cast<std::size_t>(index)];
+    band.SetDescription(what.name);
+    check(band.SetUnitType(what.unit) == CE_None);
+    check(band.SetNoDataValue(static_cast<double>(kNoData)) == CE_None);
+  }
+}
+
+int TerrainFile::block_columns() const { return static_cast<int>(blocks_over(grid_.columns)); }
+int TerrainFile::block_rows() const { return static_cast<int>(blocks_over(grid_.rows)); }
+
+CellRange TerrainFile::cells_of(int block_column, int block_row) const {
+  const std::int64_t column = std::int64_t{block_column} * TerrainBlock::kSide;
+  const std::int64_t end_row = grid_.rows - std::int64_t{block_row} * TerrainBlock::kSide;
+  return {column, column + TerrainBlock::kSide, end_row - TerrainBlock::kSide, end_row};
+}
+
+void TerrainFile::write(int block_column, int block_row, TerrainBlock& block) {
+  for (int index = 0; index < kTerrainBands; ++index) {
+    GDALRasterBand& band = *dataset_->GetRasterBand(index + 1);
+    check(band.WriteBlock(block_column, block_row, block.band(index)) == CE_None);
+  }
+}
+
+void TerrainFile::commit() {
+  // Closing writes the index of the blocks; only the listener hears where that fails.
+  dataset_.reset();
+  check(true);
+  file_.commit();
+}
+
+void TerrainFile::check(bool succeeded) const {
+  if (succeeded && errors_.first().empty()) return;
+  fail_to_write(path_, errors_.first().empty() ? "an error without a word" : errors_.first());
+}
+
+}  // namespace groundgrid::geotiff

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <ogr_spatialref.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "geotiff/cell_range.hpp"
+#include "geotiff/gdal_errors.hpp"
+#include "geotiff/geotiff_driver.hpp"
+#include "geotiff/hidden_file.hpp"
+#include "geotiff/terrain_block.hpp"
+
+namespace groundgrid::geotiff {
+
+/// Where the cells of a raster lie. Metres, in the map frame.
+struct RasterGrid {
+  double min_x_m = 0.0;  ///< Outer edge of the western column.
+  double min_y_m = 0.0;  ///< Outer edge of the southern row.
+  double cell_size_m = 0.0;
+  std::int64_t columns = 0;
+  std::int64_t rows = 0;
+};
+
+/// A terrain GeoTIFF that is written block by block and appears complete or not at all. Blocks
+/// that are never written take no room and read as no-data.
+///
+/// GDAL's cache of blocks is passed by, so memory stays at one block whatever the raster's size.
+/// Every call throws io::Error, with GDAL's words, where the file cannot be written. All calls
+/// must come from one thread.
+class TerrainFile {
+ public:
+  /// Throws io::Error also where the raster has more blocks than one file should.
+  TerrainFile(const std::filesystem::path& path, const RasterGrid& grid,
+              const std::optional<OGRSpatialReference>& crs);
+
+  [[nodiscard]] int block_columns() const;
+  [[nodiscard]] int block_rows() const;
+
+  /// The cells under a block, counted from the raster's south-western corner; in the last block
+  /// of a row or column some lie outside the raster.
+  [[nodiscard]] CellRange cells_of(int block_column, int block_row) const;
+
+  void write(int block_column, int block_row, TerrainBlock& block);
+
+  /// Closes the file and gives it its name.
+  void commit();
+
+ private:
+  void describe(const RasterGrid& grid, const std::optional<OGRSpatialReference>& crs);
+  void check(bool succeeded) const;
+
+  // In the order of their making: what GDAL says while it closes must still find a listener.
+  std::filesystem::path path_;
+  GdalErrors errors_;
+  HiddenFile file_;
+  RasterGrid grid_;
+  DatasetPtr dataset_;
+};
+
+}  // namespace groundgrid::geotiff

@@ -1,0 +1,180 @@
+#include "geotiff/terrain_mosaic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "geotiff/cell_range.hpp"
+#include "geotiff/crs.hpp"
+#include "geotiff/hidden_file.hpp"
+#include "geotiff/terrain_file.hpp"
+#include "geotiff/tile_store.hpp"
+#include "geotiff/view_check.hpp"
+
+namespace groundgrid::geotiff {
+namespace {
+
+// Tiles this near to the window stay in memory: a vehicle that goes to and fro at a tile's edge
+// shall not send the same tiles away and back.
+constexpr std::int64_t kMargin = MosaicTile::kSide / 2;
+
+// Cells that a lattice may be away from its origin: 2⁵³ are exact in double.
+constexpr double kFarthestCell = 9007199254740992.0;
+
+std::int64_t nearest_cell(double metres, double cell_size_m) {
+  const double cell = metres / cell_size_m;
+  if (!(std::abs(cell) < kFarthestCell))
+    throw std::invalid_argument("TerrainMosaic: a view lies too far from the first one");
+  return std::llround(cell);
+}
+
+std::size_t cell_in_view(const TerrainView& view, std::int64_t column, std::int64_t row) {
+  return static_cast<std::size_t>(row * view.size + column);
+}
+
+/// The known cells of a view, counted from its corner.
+CellRange known_cells(const TerrainView& view) {
+  const auto known = [](float confidence) { return confidence > 0.0F; };
+  const auto size = static_cast<std::size_t>(view.size);
+  CellRange all;
+  for (int row = 0; row < view.size; ++row) {
+    const auto cells = view.confidence.subspan(cell_in_view(view, 0, row), size);
+    const auto first = std::find_if(cells.begin(), cells.end(), known);
+    if (first == cells.end()) continue;
+    const auto last = std::find_if(cells.rbegin(), cells.rend(), known);
+    all = hull(all, {first - cells.begin(), cells.rend() - last, row, row + 1});
+  }
+  return all;
+}
+
+CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows) {
+  return {range.first_column + columns, range.end_column + columns, range.first_row + rows,
+          range.end_row + rows};
+}
+
+void copy_known(const MosaicTile& tile, const CellRange& tile_cells, TerrainBlock& block) {
+  const CellRange cells = overlap(tile_cells, block.cells());
+  for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
+    for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
+      const auto cell = static_cast<std::size_t>((row - tile_cells.first_row) * MosaicTile::kSide +
+                                                 column - tile_cells.first_column);
+      if (!(tile.weight[cell] > 0.0)) continue;
+      block.set(column, row, static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]),
+                tile.confidence[cell], static_cast<float>(tile.points[cell]));
+    }
+  }
+}
+
+}  // namespace
+
+class TerrainMosaic::Tiles {
+ public:
+  Tiles(std::filesystem::path path, const std::string& crs)
+      : path_(std::move(path)), crs_(read_crs(crs)), store_(path_) {}
+
+  void add(const TerrainView& view);
+  void finish() const;
+  [[nodiscard]] std::size_t resident_bytes() const { return store_.resident_bytes(); }
+
+ private:
+  void place(const TerrainView& view);
+  void add_to_tile(TileStore::Index index, const TerrainView& view, const CellRange& window);
+  bool fill(TerrainBlock& block, MosaicTile& buffer) const;
+
+  std::filesystem::path path_;
+  std::optional<OGRSpatialReference> crs_;
+  TileStore store_;
+  double cell_size_m_ = 0.0;  // 0 until the first view has come
+  double origin_x_m_ = 0.0;   // outer edges of the lattice's cell (0, 0)
+  double origin_y_m_ = 0.0;
+  CellRange known_;
+};
+
+void TerrainMosaic::Tiles::place(const TerrainView& view) {
+  if (cell_size_m_ == 0.0) {
+    cell_size_m_ = view.cell_size_m;
+    origin_x_m_ = view.min_x_m;
+    origin_y_m_ = view.min_y_m;
+  }
+  if (view.cell_size_m != cell_size_m_)
+    throw std::invalid_argument("TerrainMosaic: all views must have the same cell size");
+}
+
+void TerrainMosaic::Tiles::add(const TerrainView& view) {
+  check_view(view);
+  if (view.size == 0) return;
+  place(view);
+  const std::int64_t column = nearest_cell(view.min_x_m - origin_x_m_, cell_size_m_);
+  const std::int64_t row = nearest_cell(view.min_y_m - origin_y_m_, cell_size_m_);
+  const CellRange window{column, column + view.size, row, row + view.size};
+  store_.keep_only({window.first_column - kMargin, window.end_column + kMargin,
+                    window.first_row - kMargin, window.end_row + kMargin});
+  const CellRange tiles = tiles_of(window);
+  for (std::int64_t i = tiles.first_column; i < tiles.end_column; ++i)
+    for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j)
+      add_to_tile({i, j}, view, window);
+  const CellRange known = known_cells(view);
+  if (!known.empty()) known_ = hull(known_, moved(known, column, row));
+}
+
+void TerrainMosaic::Tiles::add_to_tile(TileStore::Index index, const TerrainView& view,
+                                       const CellRange& window) {
+  MosaicTile& tile = store_.load(index);
+  const CellRange tile_cells = cells_of(index);
+  const CellRange cells = overlap(tile_cells, window);
+  const auto count = static_cast<std::size_t>(cells.columns());
+  for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
+    const std::size_t first =
+        cell_in_view(view, cells.first_column - window.first_column, row - window.first_row);
+    tile.add(static_cast<std::size_t>(cells.first_column - tile_cells.first_column),
+             static_cast<std::size_t>(row - tile_cells.first_row),
+             {view.relative_height.subspan(first, count), view.confidence.subspan(first, count),
+              view.statistics.subspan(first, count), view.z_origin_m});
+  }
+}
+
+bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
+  const CellRange tiles = tiles_of(block.cells());
+  bool filled = false;
+  for (std::int64_t i = tiles.first_column; i < tiles.end_column; ++i) {
+    for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j) {
+      const MosaicTile* const tile = store_.look_up({i, j}, buffer);
+      if (tile == nullptr) continue;
+      copy_known(*tile, cells_of({i, j}), block);
+      filled = true;
+    }
+  }
+  return filled;
+}
+
+void TerrainMosaic::Tiles::finish() const {
+  if (known_.empty()) fail_without_terrain(path_);
+  TerrainFile file(path_,
+                   {origin_x_m_ + static_cast<double>(known_.first_column) * cell_size_m_,
+                    origin_y_m_ + static_cast<double>(known_.first_row) * cell_size_m_,
+                    cell_size_m_, known_.columns(), known_.rows()},
+                   crs_);
+  const auto buffer = std::make_unique<MosaicTile>();
+  TerrainBlock block;
+  for (int row = 0; row < file.block_rows(); ++row) {
+    for (int column = 0; column < file.block_columns(); ++column) {
+      block.move_to(moved(file.cells_of(column, row), known_.first_column, known_.first_row));
+      if (fill(block, *buffer)) file.write(column, row, block);
+    }
+  }
+  file.commit();
+}
+
+TerrainMosaic::TerrainMosaic(std::filesystem::path path, const std::string& crs)
+    : tiles_(std::make_unique<Tiles>(std::move(path), crs)) {}
+TerrainMosaic::~TerrainMosaic() = default;
+TerrainMosaic::TerrainMosaic(TerrainMosaic&&) noexcept = default;
+TerrainMosaic& TerrainMosaic::operator=(TerrainMosaic&&) noexcept = default;
+
+void TerrainMosaic::add(const TerrainView& terrain) { tiles_->add(terrain); }
+void TerrainMosaic::finish() { tiles_->finish(); }
+std::size_t TerrainMosaic::resident_bytes() const { return tiles_->resident_bytes(); }
+
+}  // namespace groundgrid::geotiff

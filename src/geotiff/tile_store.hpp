@@ -1,0 +1,63 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "geotiff/cell_range.hpp"
+#include "geotiff/mosaic_tile.hpp"
+
+namespace groundgrid::geotiff {
+
+/// The tiles of a lattice without borders, some in memory and the others in one file. That file
+/// has no name, so that it is gone with the process however that ends.
+class TileStore {
+ public:
+  /// Tile (i, j) holds the columns from i · kSide on and the rows from j · kSide on.
+  using Index = std::pair<std::int64_t, std::int64_t>;
+
+  /// `result` is the file to be: its folder holds the tiles too. Throws io::Error where it is not
+  /// writable.
+  explicit TileStore(std::filesystem::path result);
+  ~TileStore();
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+  TileStore(TileStore&&) = delete;
+  TileStore& operator=(TileStore&&) = delete;
+
+  /// The tile, to be changed: from memory, from the file or, where it is new, without anything
+  /// known. Throws io::Error where it cannot be read.
+  MosaicTile& load(Index index);
+
+  /// Sends the tiles that hold no cell of `kept` to the file. Throws io::Error where they cannot
+  /// be written; they then stay in memory.
+  void keep_only(const CellRange& kept);
+
+  /// The tile, from memory or read into `buffer`; null where there is none. Throws io::Error where
+  /// it cannot be read.
+  const MosaicTile* look_up(Index index, MosaicTile& buffer) const;
+
+  [[nodiscard]] std::size_t resident_bytes() const { return resident_.size() * sizeof(MosaicTile); }
+
+ private:
+  void write(Index index, const MosaicTile& tile);
+  void read(off_t place, MosaicTile& tile) const;
+
+  std::filesystem::path result_;
+  int file_ = -1;
+  std::map<Index, std::unique_ptr<MosaicTile>> resident_;
+  std::map<Index, off_t> places_;  ///< In the file; a tile keeps its place when it comes back.
+};
+
+/// The cells of a tile.
+CellRange cells_of(TileStore::Index index);
+
+/// The tiles that hold a cell of the range, as a range of tiles.
+CellRange tiles_of(const CellRange& cells);
+
+}  // namespace groundgrid::geotiff

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid::test {
+
+/// A map made by hand; every cell begins unknown, with a height that must never be read.
+struct SmallMap {
+  explicit SmallMap(int cells, double cell_size = 0.5)
+      : size(cells),
+        cell_size_m(cell_size),
+        height(static_cast<std::size_t>(cells * cells), NAN),
+        confidence(height.size(), 0.0F),
+        statistics(height.size()) {}
+
+  void set(int column, int row, float relative_height, float certainty, std::uint32_t points = 0) {
+    const auto cell = static_cast<std::size_t>(row * size + column);
+    height[cell] = relative_height;
+    confidence[cell] = certainty;
+    statistics[cell].count = points;
+  }
+
+  [[nodiscard]] TerrainView view() const {
+    TerrainView view;
+    view.size = size;
+    view.cell_size_m = cell_size_m;
+    view.min_x_m = min_x_m;
+    view.min_y_m = min_y_m;
+    view.z_origin_m = z_origin_m;
+    view.relative_height = height;
+    view.confidence = confidence;
+    view.statistics = statistics;
+    return view;
+  }
+
+  int size;
+  double cell_size_m;
+  double min_x_m = 0.0;
+  double min_y_m = 0.0;
+  double z_origin_m = 0.0;
+  std::vector<float> height;
+  std::vector<float> confidence;
+  std::vector<CellStatistics> statistics;
+};
+
+}  // namespace groundgrid::test
