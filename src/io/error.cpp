@@ -26,4 +26,12 @@ std::string system_message(int error_number) {
   return std::generic_category().message(error_number);
 }
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string shown(text.substr(0, kLongest));
+  for (char& letter : shown)
+    if (letter < ' ' || letter > '~') letter = '?';
+  return fmt::format("'{}{}'", shown, text.size() > kLongest ? "..." : "");
+}
+
 }  // namespace groundgrid::io

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace groundgrid::io {
 
@@ -32,5 +33,9 @@ class Error : public std::runtime_error {
 
 /// The message of an errno value ("Permission denied").
 std::string system_message(int error_number);
+
+/// A piece of a file for a message: in quotes, cut to 40 characters, with '?' for every byte that
+/// is no printable ASCII character.
+std::string in_quotes(std::string_view text);
 
 }  // namespace groundgrid::io

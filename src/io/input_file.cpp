@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -12,20 +13,25 @@ namespace groundgrid::io {
 
 namespace fs = std::filesystem;
 
-InputFile::InputFile(fs::path path) : path_(std::move(path)) {
+void require_regular_file(const fs::path& path) {
   std::error_code error;
-  const fs::file_status status = fs::status(path_, error);
+  const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    throw Error({.file = path_, .expected = "a file", .got = "nothing of that name"});
+    throw Error({.file = path, .expected = "a file", .got = "nothing of that name"});
   if (fs::is_directory(status))
-    throw Error({.file = path_, .expected = "a file", .got = "a directory"});
+    throw Error({.file = path, .expected = "a file", .got = "a directory"});
   if (!fs::is_regular_file(status))
-    throw Error({.file = path_,
+    throw Error({.file = path,
                  .expected = "a regular file",
                  .got = error ? error.message() : "a device, pipe or socket"});
+}
+
+InputFile::InputFile(fs::path path) : path_(std::move(path)) {
+  require_regular_file(path_);
   file_.reset(std::fopen(path_.c_str(), "rb"));
   if (!file_)
     throw Error({.file = path_, .expected = "a readable file", .got = system_message(errno)});
+  std::error_code error;
   size_ = fs::file_size(path_, error);
   if (error) throw Error({.file = path_, .expected = "a readable file", .got = error.message()});
 }
@@ -33,11 +39,48 @@ InputFile::InputFile(fs::path path) : path_(std::move(path)) {
 void InputFile::read(void* destination, std::size_t bytes) {
   if (bytes == 0) return;
   const std::size_t got = std::fread(destination, 1, bytes, file_.get());
+  position_ += got;
   if (got == bytes) return;
   const std::string reason = std::ferror(file_.get()) != 0
                                  ? system_message(errno)
                                  : fmt::format("{} (it became shorter while being read)", got);
   throw Error({.file = path_, .expected = fmt::format("{} bytes", bytes), .got = reason});
+}
+
+std::string InputFile::peek(std::size_t bytes) {
+  std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(bytes, remaining())), '\0');
+  const std::uintmax_t begin = position_;
+  read(text.data(), text.size());
+  position_ = begin;
+  skip(0);
+  return text;
+}
+
+void InputFile::skip(std::uintmax_t bytes) {
+  position_ += bytes;
+  if (::fseeko(file_.get(), static_cast<off_t>(position_), SEEK_SET) != 0)
+    throw Error({.file = path_, .expected = "a readable file", .got = system_message(errno)});
+}
+
+std::optional<std::string> InputFile::read_line() {
+  constexpr std::size_t kLongestLine = 65536;
+  if (remaining() == 0) return std::nullopt;
+  std::string line;
+  while (remaining() > 0) {
+    char letter = 0;
+    read(&letter, 1);
+    if (letter == '\n') break;
+    if (line.size() == kLongestLine)
+      throw Error({.file = path_,
+                   .line = lines_ + 1,
+                   .expected = fmt::format("a header's line of at most {} bytes", kLongestLine),
+                   .got = "a longer one",
+                   .remedy = "if the file has another format, say so with --format"});
+    line += letter;
+  }
+  ++lines_;
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return line;
 }
 
 void InputFile::fail_too_large() const {

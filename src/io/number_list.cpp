@@ -16,17 +16,32 @@ constexpr double kRigidTolerance = 1e-3;
 
 std::optional<std::vector<double>> parse_numbers(std::string_view line) {
   std::vector<double> numbers;
-  for (auto begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;
-       begin = line.find_first_not_of(kBlanks)) {
-    line.remove_prefix(begin);
-    const std::string_view word = line.substr(0, line.find_first_of(kBlanks));
+  for (const std::string_view word : split_words(line)) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
     numbers.push_back(number);
-    line.remove_prefix(word.size());
   }
   return numbers;
+}
+
+std::optional<std::size_t> parse_whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc{} || stop != end) return std::nullopt;
+  return number;
+}
+
+std::vector<std::string_view> split_words(std::string_view line) {
+  std::vector<std::string_view> words;
+  for (auto begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;
+       begin = line.find_first_not_of(kBlanks)) {
+    line.remove_prefix(begin);
+    words.push_back(line.substr(0, line.find_first_of(kBlanks)));
+    line.remove_prefix(words.back().size());
+  }
+  return words;
 }
 
 std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows) {

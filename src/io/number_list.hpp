@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,13 @@ namespace groundgrid::io {
 /// The numbers in a line of text, separated by blanks and read the same in every locale; nothing
 /// where a word is no number.
 std::optional<std::vector<double>> parse_numbers(std::string_view line);
+
+/// A text that is a whole number and nothing else; nothing for signs, other letters and numbers
+/// that std::size_t does not hold.
+std::optional<std::size_t> parse_whole_number(std::string_view text);
+
+/// The words of a line of text, which are separated by blanks.
+std::vector<std::string_view> split_words(std::string_view line);
 
 /// Twelve numbers, row by row [R | t], as a rigid transform. Text holds few digits, so a rotation
 /// that is off by up to 1e-3 in R·Rᵀ is made exact; nothing where it is off by more, is a mirror

@@ -1,9 +1,10 @@
 #include "io/point_cloud.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <utility>
+
+#include "io/field_number.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -44,31 +45,16 @@ void PointCloud::add_field(std::string name, FieldType type, std::size_t count) 
   stride_bytes += fields.back().bytes();
 }
 
+void PointCloud::clear() {
+  std::vector<std::byte> memory = std::move(data);
+  memory.clear();
+  *this = {};
+  data = std::move(memory);
+}
+
 double value_at(const PointCloud& cloud, std::size_t point, const PointField& field) {
   const std::byte* const place = cloud.data.data() + point * cloud.stride_bytes + field.offset;
-  switch (field.type) {
-    case FieldType::int8:
-      return number_at<std::int8_t>(place);
-    case FieldType::uint8:
-      return number_at<std::uint8_t>(place);
-    case FieldType::int16:
-      return number_at<std::int16_t>(place);
-    case FieldType::uint16:
-      return number_at<std::uint16_t>(place);
-    case FieldType::int32:
-      return number_at<std::int32_t>(place);
-    case FieldType::uint32:
-      return number_at<std::uint32_t>(place);
-    case FieldType::int64:
-      return number_at<std::int64_t>(place);
-    case FieldType::uint64:
-      return number_at<std::uint64_t>(place);
-    case FieldType::float32:
-      return number_at<float>(place);
-    case FieldType::float64:
-      return number_at<double>(place);
-  }
-  return std::nan("");
+  return with_number(field.type, [&](auto zero) { return number_at<decltype(zero)>(place); });
 }
 
 PointView point_view(const PointCloud& cloud, std::vector<float>& coordinates) {

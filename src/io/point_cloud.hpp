@@ -61,6 +61,9 @@ struct PointCloud {
   /// Adds a field at the end of the records; its offset and the stride follow. Only while there
   /// are no data.
   void add_field(std::string name, FieldType type, std::size_t count = 1);
+
+  /// Forgets points and fields, but keeps the memory.
+  void clear();
 };
 
 /// One number of one point, as a double (64-bit integers beyond 2⁵³ are rounded).

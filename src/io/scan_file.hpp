@@ -11,7 +11,7 @@ namespace groundgrid::io {
 /// fields x, y and z. Coordinates are metres in the LiDAR's frame, NaN and infinite ones are kept
 /// as they are. A file of no points gives an empty cloud. Throws Error that names the file, the
 /// place and the remedy where the file cannot be read, is cut short, promises more points than it
-/// holds or has no x, y, z.
+/// holds or has no x, y, z; the cloud is then empty.
 void read_scan(const std::filesystem::path& path, ScanFormat format, PointCloud& cloud);
 
 }  // namespace groundgrid::io

@@ -4,46 +4,53 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
+#include <map>
 #include <system_error>
 
 #include "io/error.hpp"
+#include "io/input_file.hpp"
+#include "io/number_list.hpp"
+#include "io/scan_list.hpp"
 
 namespace groundgrid::io {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<std::size_t> number_of(const std::string& text) {
-  std::size_t number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc{} || stop != end) return std::nullopt;
-  return number;
+using ForcedFormat = std::optional<ScanFormat>;
+
+[[noreturn]] void fail_unreadable(const fs::path& folder, const std::error_code& error) {
+  throw Error({.file = folder, .expected = "a readable folder", .got = error.message()});
 }
 
-bool is_scan(const fs::path& path) {
-  return path.extension() == ".bin" && path.filename().string().front() != '.';
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
 }
 
 std::vector<fs::path> entries_of(const fs::path& folder) {
   std::error_code error;
-  const fs::directory_iterator entries(folder, error);
-  if (error) throw Error({.file = folder, .expected = "a readable folder", .got = error.message()});
   std::vector<fs::path> paths;
-  for (const fs::directory_entry& entry : entries) paths.push_back(entry.path());
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error))
+    paths.push_back(entry->path());
+  if (error) fail_unreadable(folder, error);
   std::sort(paths.begin(), paths.end());
   return paths;
 }
 
-std::vector<ScanFile> scans_in(const fs::path& folder) {
+std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
   std::vector<ScanFile> scans;
-  for (const fs::path& path : entries_of(folder))
-    if (is_scan(path)) scans.push_back({path.stem().string(), 0, path});
+  for (const fs::path& path : entries_of(folder)) {
+    const ForcedFormat named = format_by_name(path);
+    if (!named) continue;
+    require_regular_file(path);
+    scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
+  }
   if (scans.empty())
     throw Error({.file = folder,
-                 .expected = "scans (.bin files) or a dataset (sequences/NN/velodyne)",
+                 .expected = "scans (.bin, .pcd.bin, .pcd or .ply files) or a dataset "
+                             "(sequences/NN/velodyne)",
                  .got = "neither"});
   return scans;
 }
@@ -55,10 +62,32 @@ std::string folder_name(const fs::path& folder) {
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-ScanSequence dataset_sequence(const fs::path& folder) {
-  ScanSequence sequence{folder_name(folder), folder, scans_in(folder / "velodyne")};
+void require_unique(const std::vector<ScanFile>& scans) {
+  std::map<std::string, fs::path> known;
+  for (const ScanFile& scan : scans) {
+    const auto [other, added] = known.emplace(scan.name, scan.path);
+    if (!added)
+      throw Error(
+          {.file = scan.path,
+           .expected = "scans of different names, since the output is named after them",
+           .got = fmt::format("the name '{}' again, after {}", scan.name, other->second.string()),
+           .remedy = "rename one of them, or take them one after the other"});
+  }
+}
+
+void sort_by_number(std::vector<ScanFile>& scans) {
+  std::stable_sort(scans.begin(), scans.end(),
+                   [](const ScanFile& a, const ScanFile& b) { return a.number < b.number; });
+}
+
+void number_places(std::vector<ScanFile>& scans) {
+  for (std::size_t i = 0; i < scans.size(); ++i) scans[i].index = i;
+}
+
+ScanSequence dataset_sequence(const fs::path& folder, ForcedFormat forced) {
+  ScanSequence sequence{folder_name(folder), folder, scans_in(folder / "velodyne", forced)};
   for (ScanFile& scan : sequence.scans) {
-    const auto number = number_of(scan.name);
+    const auto number = parse_whole_number(scan.name);
     if (!number)
       throw Error(
           {.file = scan.path,
@@ -67,17 +96,37 @@ ScanSequence dataset_sequence(const fs::path& folder) {
            .remedy = "rename it, or give its folder as INPUT to take the files as they are"});
     scan.number = *number;
   }
-  std::sort(sequence.scans.begin(), sequence.scans.end(),
-            [](const ScanFile& a, const ScanFile& b) { return a.number < b.number; });
+  sort_by_number(sequence.scans);
+  const auto twice =
+      std::adjacent_find(sequence.scans.begin(), sequence.scans.end(),
+                         [](const ScanFile& a, const ScanFile& b) { return a.number == b.number; });
+  if (twice != sequence.scans.end())
+    throw Error(
+        {.file = (twice + 1)->path,
+         .expected = "one scan of each number",
+         .got = fmt::format("number {} again, after {}", twice->number, twice->path.string()),
+         .remedy = "keep one of them in the folder"});
+  number_places(sequence.scans);
   return sequence;
 }
 
+// In a folder of sequences everything is one, so none is left out for want of rights; in any other
+// folder there may be what does not concern us.
+void require_readable(const fs::path& folder) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (error && status.type() != fs::file_type::not_found) fail_unreadable(folder, error);
+}
+
 std::vector<fs::path> sequence_folders(const fs::path& input) {
-  if (fs::is_directory(input / "velodyne")) return {input};
-  const fs::path parent = fs::is_directory(input / "sequences") ? input / "sequences" : input;
+  if (is_folder(input / "velodyne")) return {input};
+  const fs::path parent = is_folder(input / "sequences") ? input / "sequences" : input;
+  const bool all_are_sequences = folder_name(parent) == "sequences";
   std::vector<fs::path> folders;
-  for (const fs::path& path : entries_of(parent))
-    if (fs::is_directory(path / "velodyne")) folders.push_back(path);
+  for (const fs::path& path : entries_of(parent)) {
+    if (all_are_sequences) require_readable(path / "velodyne");
+    if (is_folder(path / "velodyne")) folders.push_back(path);
+  }
   return folders;
 }
 
@@ -86,8 +135,9 @@ fs::path folder_named(const std::vector<fs::path>& folders, const std::string& n
   std::vector<std::string> known;
   for (const fs::path& folder : folders) {
     known.push_back(folder_name(folder));
-    const auto number = number_of(name);
-    if (known.back() == name || (number && number == number_of(known.back()))) return folder;
+    const auto number = parse_whole_number(name);
+    if (known.back() == name || (number && number == parse_whole_number(known.back())))
+      return folder;
   }
   throw Error({.file = input,
                .expected = fmt::format("sequence {}", name),
@@ -104,33 +154,86 @@ std::vector<fs::path> folders_named(const std::vector<fs::path>& folders,
   return chosen;
 }
 
-std::vector<ScanSequence> plain_scans(const fs::path& input) {
-  if (fs::is_directory(input)) return {{"", input, scans_in(input)}};
-  if (!is_scan(input))
-    throw Error({.file = input,
-                 .expected = "a KITTI scan (.bin), a folder of them or a dataset",
-                 .got = "another kind of file"});
-  return {{"", input.parent_path(), {{input.stem().string(), 0, input}}}};
+std::vector<ScanFile> listed_scans(const fs::path& list, ForcedFormat forced) {
+  std::vector<ScanFile> scans;
+  for (const ListedFile& file : read_scan_list(list)) {
+    const ForcedFormat format = forced ? forced : format_by_name(file.path);
+    if (!format)
+      throw Error({.file = list,
+                   .line = file.line,
+                   .expected = "a scan (.bin, .pcd.bin, .pcd or .ply)",
+                   .got = file.path.string(),
+                   .remedy = "say what the scans are with --format"});
+    scans.push_back({scan_stem(file.path), 0, file.path, *format});
+  }
+  return scans;
+}
+
+ScanFile single_scan(const fs::path& path, ForcedFormat forced) {
+  require_regular_file(path);
+  const ForcedFormat format = forced ? forced : format_by_name(path);
+  if (!format)
+    throw Error({.file = path,
+                 .expected = "a scan (.bin, .pcd.bin, .pcd or .ply), a folder of scans, a list of "
+                             "scans (.txt or .lst) or a dataset",
+                 .got = "another kind of file",
+                 .remedy = "if it is a scan, say of which kind with --format"});
+  return {scan_stem(path), 0, path, *format};
+}
+
+// Scans whose names are all numbers are in the order of these, but a list has the last word.
+void number_plain_scans(std::vector<ScanFile>& scans, bool keep_order) {
+  const bool numbered = std::all_of(scans.begin(), scans.end(), [](const ScanFile& scan) {
+    return parse_whole_number(scan.name).has_value();
+  });
+  for (ScanFile& scan : scans)
+    if (numbered) scan.number = *parse_whole_number(scan.name);
+  if (numbered && !keep_order) sort_by_number(scans);
+  number_places(scans);
+  for (ScanFile& scan : scans)
+    if (!numbered) scan.number = scan.index;
+}
+
+ScanSequence plain_sequence(const fs::path& input, ForcedFormat forced) {
+  const bool folder = is_folder(input);
+  const bool list = !folder && is_scan_list(input);
+  ScanSequence sequence{"", folder ? input : input.parent_path()};
+  if (folder)
+    sequence.scans = scans_in(input, forced);
+  else if (list)
+    sequence.scans = listed_scans(input, forced);
+  else
+    sequence.scans = {single_scan(input, forced)};
+  require_unique(sequence.scans);
+  number_plain_scans(sequence.scans, list);
+  return sequence;
+}
+
+void require_existing(const fs::path& input) {
+  std::error_code error;
+  const fs::file_status status = fs::status(input, error);
+  if (fs::exists(status)) return;
+  throw Error({.file = input,
+               .expected = "a dataset, a folder of scans, a scan or a list of scans",
+               .got = status.type() == fs::file_type::not_found ? "nothing of that name"
+                                                                : error.message()});
 }
 
 }  // namespace
 
-std::vector<ScanSequence> find_sequences(const fs::path& input,
-                                         std::span<const std::string> names) {
-  if (!fs::exists(input))
-    throw Error({.file = input,
-                 .expected = "a dataset, a folder of scans or a scan",
-                 .got = "nothing of that name"});
-  const auto folders = fs::is_directory(input) ? sequence_folders(input) : std::vector<fs::path>{};
+std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const std::string> names,
+                                         std::optional<ScanFormat> format) {
+  require_existing(input);
+  const auto folders = is_folder(input) ? sequence_folders(input) : std::vector<fs::path>{};
   if (folders.empty() && !names.empty())
     throw Error({.file = input,
                  .expected = "a dataset with sequences/NN/velodyne",
                  .got = "a place without",
-                 .remedy = "leave out --sequence for plain .bin files"});
-  if (folders.empty()) return plain_scans(input);
+                 .remedy = "leave out --sequence for plain scans"});
+  if (folders.empty()) return {plain_sequence(input, format)};
   std::vector<ScanSequence> sequences;
   for (const fs::path& folder : names.empty() ? folders : folders_named(folders, names, input))
-    sequences.push_back(dataset_sequence(folder));
+    sequences.push_back(dataset_sequence(folder, format));
   return sequences;
 }
 

@@ -2,39 +2,55 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "io/scan_format.hpp"
 
 namespace groundgrid::io {
 
 /// One scan on disk.
 struct ScanFile {
-  std::string name;        ///< The file's name without its extension: "000042".
-  std::size_t number = 0;  ///< 42: which line of poses.txt is its. 0 in a plain folder.
+  std::string name;  ///< The file's name without the ending of its format: "000042".
+  /// Which line of poses.txt is its: 42. In a plain sequence the number that is its name, where
+  /// that of every scan is one, else `index`.
+  std::size_t number = 0;
   std::filesystem::path path;
+  ScanFormat format = ScanFormat::kitti;
+  std::size_t index = 0;  ///< Its place in the sequence, from 0.
 };
 
-/// Scans that belong together, in the order of their numbers.
+/// Scans that belong together, in the order in which they were taken: that of their numbers, else
+/// of their names, and in a list that of its lines.
 struct ScanSequence {
-  std::string name;               ///< "00"; empty for plain .bin files outside a dataset.
-  std::filesystem::path folder;   ///< The one that holds velodyne, or the plain files.
+  std::string name;               ///< "00"; empty for plain scans outside a dataset.
+  std::filesystem::path folder;   ///< The one that holds velodyne, the plain scans or the list.
   std::vector<ScanFile> scans{};  ///< Never empty.
 
-  /// Files or a folder of files without the layout of a dataset, hence without poses and labels.
+  /// Files, a folder or a list of files without the layout of a dataset, hence without poses and
+  /// labels of their own.
   [[nodiscard]] bool plain() const { return name.empty(); }
   [[nodiscard]] std::filesystem::path poses() const { return folder / "poses.txt"; }
   [[nodiscard]] std::filesystem::path calibration() const { return folder / "calib.txt"; }
+  [[nodiscard]] std::filesystem::path times() const { return folder / "times.txt"; }
   [[nodiscard]] std::filesystem::path labels() const { return folder / "labels"; }
 };
 
 /// Finds the scans below `input`, which may be
-///  - a dataset in KITTI odometry or SemanticKITTI layout (sequences/NN/velodyne/NNNNNN.bin),
-///    its folder `sequences`, or one sequence's folder;
-///  - a folder of .bin files, or one .bin file.
-/// With `names`, only those sequences, in that order ("0" finds "00"). Throws Error where there is
-/// nothing, a sequence of that name is missing, or a scan of a dataset has no number.
+///  - a dataset in KITTI odometry or SemanticKITTI layout (sequences/NN/velodyne/NNNNNN.bin, or
+///    scans of another format there), its folder `sequences`, or one sequence's folder;
+///  - a folder of scans, or one scan;
+///  - a list: a text file (.txt or .lst) with the path of one scan a line, relative to the folder
+///    of the list. Blank lines and those that begin with '#' do not count.
+/// With `names`, only those sequences, in that order ("0" finds "00"). The format of each scan is
+/// that of its name; with `format` it is that one, for every file with the ending of any format and
+/// for one that is given by its name, whatever its ending. Throws Error where there is nothing, a
+/// sequence of that name or a file of a list is missing, a scan is no regular file, a scan of a
+/// dataset has no number, or two scans have the same name or, in a dataset, number.
 std::vector<ScanSequence> find_sequences(const std::filesystem::path& input,
-                                         std::span<const std::string> names = {});
+                                         std::span<const std::string> names = {},
+                                         std::optional<ScanFormat> format = {});
 
 }  // namespace groundgrid::io

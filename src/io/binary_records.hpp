@@ -1,0 +1,15 @@
+#pragma once
+
+#include "io/input_file.hpp"
+#include "io/point_cloud.hpp"
+
+namespace groundgrid::io {
+
+/// Reads the records of a cloud whose fields and shape are known, as they lie at the position of
+/// the file. Throws Error where fewer points remain than the header promises.
+void read_binary_records(InputFile& file, PointCloud& cloud);
+
+/// Reverses the bytes of every number.
+void swap_bytes(PointCloud& cloud);
+
+}  // namespace groundgrid::io

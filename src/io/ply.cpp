@@ -1,0 +1,136 @@
+#include "io/ply.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/binary_records.hpp"
+#include "io/coordinate_fields.hpp"
+#include "io/error.hpp"
+#include "io/field_number.hpp"
+#include "io/input_file.hpp"
+#include "io/ply_header.hpp"
+#include "io/text_records.hpp"
+
+namespace groundgrid::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "points are read as they lie on disk");
+
+using Elements = std::span<const PlyElement>;
+
+std::size_t find_vertices(const InputFile& file, Elements elements) {
+  const auto vertices =
+      std::find_if(elements.begin(), elements.end(),
+                   [](const PlyElement& element) { return element.name == "vertex"; });
+  if (vertices == elements.end())
+    throw Error({.file = file.path(),
+                 .expected = "an element 'vertex' in the header",
+                 .got = elements.empty()
+                            ? "no element"
+                            : fmt::format("{} others, the first of them {}", elements.size(),
+                                          in_quotes(elements.front().name))});
+  return static_cast<std::size_t>(vertices - elements.begin());
+}
+
+void add_fields(const InputFile& file, const PlyElement& vertices, PointCloud& cloud) {
+  for (const PlyProperty& property : vertices.properties) {
+    if (property.count_type)
+      throw Error({.file = file.path(),
+                   .line = property.line,
+                   .expected = "one number in every property of the vertices",
+                   .got = fmt::format("the list {}", in_quotes(property.name)),
+                   .remedy = "write the file without it"});
+    cloud.add_field(property.name, property.type);
+  }
+  cloud.width = vertices.count;
+}
+
+/// Moves over elements in front of the points of a binary file.
+class ElementSkipper {
+ public:
+  ElementSkipper(InputFile& file, bool big_endian) : file_(file), big_endian_(big_endian) {}
+
+  void skip(const PlyElement& element) {
+    if (!element.has_lists()) return skip(element, element.count, element.bytes());
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const PlyProperty& property : element.properties)
+        skip(element, property.count_type ? read_count(element, *property.count_type) : 1,
+             size_of(property.type));
+  }
+
+ private:
+  void skip(const PlyElement& element, std::uintmax_t numbers, std::uintmax_t bytes) {
+    if (bytes == 0 || numbers == 0) return;
+    if (numbers > file_.remaining() / bytes) fail(element);
+    file_.skip(numbers * bytes);
+  }
+
+  std::uintmax_t read_count(const PlyElement& element, FieldType type) {
+    std::array<std::byte, sizeof(double)> bytes{};
+    const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(size_of(type));
+    if (file_.remaining() < size_of(type)) fail(element);
+    file_.read(bytes.data(), size_of(type));
+    if (big_endian_) std::reverse(bytes.begin(), end);
+    const double count = with_number(type, [&](auto number) {
+      std::memcpy(&number, bytes.data(), sizeof number);
+      return static_cast<double>(number);
+    });
+    // Also false for NaN. No list of the file is longer than what is left of it.
+    if (!(count >= 0.0 && count <= static_cast<double>(file_.remaining()))) fail(element);
+    return static_cast<std::uintmax_t>(count);
+  }
+
+  [[noreturn]] void fail(const PlyElement& element) const {
+    throw Error({.file = file_.path(),
+                 .offset = file_.position(),
+                 .expected = fmt::format("{} records of the element {} before the points",
+                                         element.count, in_quotes(element.name)),
+                 .got = "the end of the file among them",
+                 .remedy = "the file is cut short or damaged; fetch it again"});
+  }
+
+  InputFile& file_;
+  bool big_endian_;
+};
+
+void read_text(InputFile& file, Elements before, PointCloud& cloud) {
+  TextRecords text(file);
+  // A record without properties has no line.
+  for (const PlyElement& element : before)
+    if (!element.properties.empty()) text.skip(element.count);
+  text.read(cloud);
+}
+
+void read_binary(InputFile& file, Elements before, PointCloud& cloud) {
+  const bool big_endian = cloud.encoding == CloudEncoding::binary_big_endian;
+  ElementSkipper skipper(file, big_endian);
+  for (const PlyElement& element : before) skipper.skip(element);
+  read_binary_records(file, cloud);
+  if (big_endian) swap_bytes(cloud);
+}
+
+}  // namespace
+
+void read_ply(const std::filesystem::path& path, PointCloud& cloud) {
+  InputFile file(path);
+  const PlyHeader header = read_ply_header(file);
+  const Elements elements(header.elements);
+  const std::size_t vertices = find_vertices(file, elements);
+  cloud.encoding = header.encoding;
+  add_fields(file, elements[vertices], cloud);
+  name_coordinates(path, cloud);
+  if (cloud.encoding == CloudEncoding::ascii)
+    read_text(file, elements.first(vertices), cloud);
+  else
+    read_binary(file, elements.first(vertices), cloud);
+}
+
+}  // namespace groundgrid::io

@@ -1,0 +1,53 @@
+#include "io/scan_format.hpp"
+
+#include <array>
+
+namespace groundgrid::io {
+namespace {
+
+struct NamedFormat {
+  ScanFormat format;
+  std::string_view name;
+  std::string_view ending;
+};
+
+// .pcd.bin stands before .bin, since it ends in it too.
+constexpr std::array<NamedFormat, 4> kFormats{{{ScanFormat::nuscenes, "nuscenes", ".pcd.bin"},
+                                               {ScanFormat::kitti, "kitti", ".bin"},
+                                               {ScanFormat::pcd, "pcd", ".pcd"},
+                                               {ScanFormat::ply, "ply", ".ply"}}};
+
+const NamedFormat* format_of(const std::string& file_name) {
+  if (file_name.empty() || file_name.front() == '.') return nullptr;
+  for (const NamedFormat& format : kFormats)
+    if (file_name.ends_with(format.ending)) return &format;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view name_of(ScanFormat format) {
+  for (const NamedFormat& known : kFormats)
+    if (known.format == format) return known.name;
+  return "";
+}
+
+std::optional<ScanFormat> scan_format_named(std::string_view name) {
+  for (const NamedFormat& known : kFormats)
+    if (known.name == name) return known.format;
+  return std::nullopt;
+}
+
+std::optional<ScanFormat> format_by_name(const std::filesystem::path& path) {
+  const NamedFormat* const format = format_of(path.filename().string());
+  return format == nullptr ? std::nullopt : std::optional(format->format);
+}
+
+std::string scan_stem(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const NamedFormat* const format = format_of(name);
+  return format == nullptr ? path.stem().string()
+                           : name.substr(0, name.size() - format->ending.size());
+}
+
+}  // namespace groundgrid::io

@@ -1,0 +1,51 @@
+#include "io/scan_list.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "io/error.hpp"
+#include "io/input_file.hpp"
+#include "io/number_list.hpp"
+
+namespace groundgrid::io {
+namespace {
+
+std::string_view trimmed(std::string_view line) {
+  constexpr std::string_view kBlanks = " \t\r\v\f";
+  const auto begin = line.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
+}
+
+}  // namespace
+
+bool is_scan_list(const std::filesystem::path& path) {
+  return path.extension() == ".txt" || path.extension() == ".lst";
+}
+
+std::vector<ListedFile> read_scan_list(const std::filesystem::path& path) {
+  const std::string text = read_text(path);
+  const std::vector<std::string_view> lines = split_lines(text);
+  std::vector<ListedFile> files;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view entry = trimmed(lines[i]);
+    if (entry.empty() || entry.front() == '#') continue;
+    files.push_back({path.parent_path() / entry, i + 1});
+    try {
+      require_regular_file(files.back().path);
+    } catch (const Error& problem) {
+      throw Error({.file = path,
+                   .line = i + 1,
+                   .expected = "the path of a scan, relative to the folder of the list",
+                   .got = fmt::format("{}, which is {}", files.back().path.string(),
+                                      problem.details().got)});
+    }
+  }
+  if (files.empty())
+    throw Error({.file = path, .expected = "the path of one scan a line", .got = "no path"});
+  return files;
+}
+
+}  // namespace groundgrid::io

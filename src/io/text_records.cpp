@@ -1,0 +1,194 @@
+#include "io/text_records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <system_error>
+#include <type_traits>
+
+#include "io/error.hpp"
+#include "io/field_number.hpp"
+
+namespace groundgrid::io {
+namespace {
+
+bool is_blank(char letter) {
+  return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
+}
+
+// Takes the next word off a line; empty at its end. Written out, since it sees every byte of the
+// file and find_first_of takes twice as long.
+std::string_view take_word(std::string_view& line) {
+  std::size_t begin = 0;
+  while (begin < line.size() && is_blank(line[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < line.size() && !is_blank(line[end])) ++end;
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+template <typename Number>
+std::errc parse_whole(std::string_view word, Number& number) {
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  return error == std::errc{} && stop != end ? std::errc::invalid_argument : error;
+}
+
+bool parse(std::string_view word, double& number) {
+  return parse_whole(word, number) == std::errc{};
+}
+
+// What is beyond the range of a float becomes infinite or zero, as it does in a computation.
+bool parse(std::string_view word, float& number) {
+  const std::errc error = parse_whole(word, number);
+  if (error != std::errc::result_out_of_range) return error == std::errc{};
+  double wide = 0.0;
+  if (!parse(word, wide)) return false;
+  number = static_cast<float>(wide);
+  return true;
+}
+
+// Programs that know floats only write whole numbers as 3.0 or 3e0.
+template <typename Integer>
+bool parse(std::string_view word, Integer& number) {
+  if (parse_whole(word, number) == std::errc{}) return true;
+  using Limits = std::numeric_limits<Integer>;
+  double wide = 0.0;
+  if (!parse(word, wide) || wide != std::trunc(wide) || wide < static_cast<double>(Limits::min()) ||
+      wide >= static_cast<double>(Limits::max()) + 1.0)
+    return false;
+  number = static_cast<Integer>(wide);
+  return true;
+}
+
+template <typename Number>
+bool parse_to(std::string_view word, std::byte* place) {
+  Number number{};
+  if (!parse(word, number)) return false;
+  std::memcpy(place, &number, sizeof number);
+  return true;
+}
+
+bool parse_to(FieldType type, std::string_view word, std::byte* place) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  return with_number(type, [&](auto zero) { return parse_to<decltype(zero)>(word, place); });
+}
+
+template <typename Number>
+void append(std::string& text, const std::byte* place) {
+  constexpr std::size_t kLongestNumber = 32;
+  Number number;
+  std::memcpy(&number, place, sizeof number);
+  std::array<char, kLongestNumber> digits{};
+  const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), result.ptr);
+}
+
+std::size_t numbers_per_record(const PointCloud& cloud) {
+  std::size_t numbers = 0;
+  for (const PointField& field : cloud.fields) numbers += field.count;
+  return std::max<std::size_t>(numbers, 1);
+}
+
+}  // namespace
+
+TextRecords::TextRecords(InputFile& file) : file_(file), line_(file.lines()) {
+  file.read_into(text_, static_cast<std::size_t>(file.remaining()));
+  rest_ = text_;
+}
+
+std::string_view TextRecords::next_line() {
+  while (!rest_.empty()) {
+    const std::string_view line = rest_.substr(0, rest_.find('\n'));
+    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+    ++line_;
+    if (!std::all_of(line.begin(), line.end(), is_blank)) return line;
+  }
+  return {};
+}
+
+void TextRecords::skip(std::size_t records) {
+  for (std::size_t i = 0; i < records; ++i)
+    if (next_line().empty())
+      throw Error({.file = file_.path(),
+                   .line = line_,
+                   .expected = fmt::format("{} lines of an element before the points", records),
+                   .got = fmt::format("the end of the file after {}", i),
+                   .remedy = "the file is cut short; fetch it again"});
+}
+
+void TextRecords::read(PointCloud& cloud) {
+  // A number takes two letters at least, with the blank or line end after it.
+  const std::size_t most = (rest_.size() + 1) / 2 / numbers_per_record(cloud);
+  if (cloud.size() > most)
+    throw Error({.file = file_.path(),
+                 .line = line_ + 1,
+                 .expected = fmt::format("{} points, as the header promises", cloud.size()),
+                 .got = fmt::format("{} bytes of text, which hold {} at most", rest_.size(), most),
+                 .remedy = "the file is cut short; fetch it again"});
+  file_.resize(cloud.data, cloud.size() * cloud.stride_bytes);
+  for (std::size_t point = 0; point < cloud.size(); ++point) {
+    const std::string_view line = next_line();
+    if (line.empty())
+      throw Error({.file = file_.path(),
+                   .line = line_,
+                   .expected = fmt::format("{} points, as the header promises", cloud.size()),
+                   .got = fmt::format("the end of the file after {}", point),
+                   .remedy = "the file is cut short; fetch it again"});
+    read_record(line, cloud, cloud.data.data() + point * cloud.stride_bytes);
+  }
+}
+
+void TextRecords::read_record(std::string_view line, const PointCloud& cloud,
+                              std::byte* record) const {
+  for (const PointField& field : cloud.fields)
+    for (std::size_t i = 0; i < field.count; ++i) {
+      const std::string_view word = take_word(line);
+      if (parse_to(field.type, word, record + field.offset + i * size_of(field.type))) continue;
+      throw Error(
+          {.file = file_.path(),
+           .line = line_,
+           .expected = fmt::format("a {} for {}", name_of(field.type), in_quotes(field.name)),
+           .got = word.empty() ? "the end of the line" : in_quotes(word)});
+    }
+  const std::string_view surplus = take_word(line);
+  if (!surplus.empty())
+    throw Error({.file = file_.path(),
+                 .line = line_,
+                 .expected = fmt::format("{} numbers", numbers_per_record(cloud)),
+                 .got = fmt::format("more: {}", in_quotes(surplus))});
+}
+
+void TextRecords::require_end() {
+  const std::string_view line = next_line();
+  if (!line.empty())
+    throw Error({.file = file_.path(),
+                 .line = line_,
+                 .expected = "the end of the file after as many points as the header says",
+                 .got = in_quotes(line),
+                 .remedy = "mend WIDTH, HEIGHT and POINTS in the header"});
+}
+
+std::string text_of_records(const PointCloud& cloud) {
+  std::string text;
+  for (std::size_t point = 0; point < cloud.size(); ++point) {
+    const std::byte* const record = cloud.data.data() + point * cloud.stride_bytes;
+    for (const PointField& field : cloud.fields)
+      for (std::size_t i = 0; i < field.count; ++i) {
+        const std::byte* const place = record + field.offset + i * size_of(field.type);
+        with_number(field.type, [&](auto zero) { append<decltype(zero)>(text, place); });
+        text += ' ';
+      }
+    text.back() = '\n';
+  }
+  return text;
+}
+
+}  // namespace groundgrid::io

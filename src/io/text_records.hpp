@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/input_file.hpp"
+#include "io/point_cloud.hpp"
+
+namespace groundgrid::io {
+
+/// The rest of a file as text, one record a line, numbers separated by blanks. Blank lines do not
+/// count.
+class TextRecords {
+ public:
+  /// Reads from the position of the file to its end.
+  explicit TextRecords(InputFile& file);
+
+  /// Skips lines. Throws Error where there are fewer.
+  void skip(std::size_t records);
+
+  /// Reads the points of a cloud whose fields and shape are known. Floats may be nan and inf, whole
+  /// numbers may be written 3.0 or 3e0. Throws Error, with the line, where there are fewer points
+  /// than the header promises or a line is no point of these fields.
+  void read(PointCloud& cloud);
+
+  /// Throws Error where there are further lines.
+  void require_end();
+
+ private:
+  [[nodiscard]] std::string_view next_line();
+  void read_record(std::string_view line, const PointCloud& cloud, std::byte* record) const;
+
+  InputFile& file_;
+  std::string text_;
+  std::string_view rest_;
+  std::size_t line_;  ///< Number of the last line that was taken.
+};
+
+/// The records of a cloud as text, each number in the fewest digits that give it again.
+std::string text_of_records(const PointCloud& cloud);
+
+}  // namespace groundgrid::io
