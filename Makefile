@@ -2,13 +2,13 @@
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
 
-# A dataset in SemanticKITTI/KITTI odometry layout, for `make demo` and `make bench`.
+# A dataset in SemanticKITTI/KITTI odometry layout, for `make demo`, `reproduce` and `bench`.
 DATA ?=
 # More for every configure step, e.g. CMAKE_FLAGS=-DGROUNDGRID_WERROR=ON
 CMAKE_FLAGS ?=
 JOBS ?= $(shell nproc)
 
-.PHONY: help test demo bench asan tsan format check-format tidy clean
+.PHONY: help test demo reproduce bench asan tsan format check-format tidy clean
 .PHONY: build-dependencies lint-dependencies bench-dependencies
 
 help: ## List the targets
@@ -26,6 +26,13 @@ demo: ## Segment and evaluate the scans in DATA=path/to/dataset
 	cmake --preset release $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
 	@scripts/demo.sh "$(DATA)"
+
+reproduce: ## Repeat the paper's Table I on SemanticKITTI in DATA=path/to/dataset
+	@scripts/reproduce.sh --check "$(DATA)"
+	@scripts/install_dependencies.sh build
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
+	@scripts/reproduce.sh "$(DATA)"
 
 bench: bench-dependencies ## Time every stage and the whole scan: medians of several repetitions
 	cmake --preset bench $(CMAKE_FLAGS)

@@ -14,10 +14,17 @@ namespace groundgrid::geotiff {
 ///
 /// Only the tiles under the rolling map are in memory; those that it leaves go to a hidden file
 /// beside the result and come back where the drive returns, so memory does not grow with the drive.
+/// That file takes 24 bytes a cell, some 40 MB a kilometre at 0.33 m cells; it has no name, so
+/// that it is gone however the process ends.
+///
+/// A scan tells a cell's height with the weight of its confidence there. Cells that were only
+/// interpolated have none: where no scan showed ground there is no-data instead of a guess. A cell
+/// that was seen goes on telling its height while its confidence decays, so the scans that saw it
+/// outweigh those that did not.
 class TerrainMosaic {
  public:
   /// `path` is the GeoTIFF to be. Throws io::Error where its folder is not writable,
-  /// std::invalid_argument where PROJ does not understand the CRS.
+  /// std::invalid_argument where the CRS is not one that write_terrain() takes.
   explicit TerrainMosaic(std::filesystem::path path, const std::string& crs = {});
   /// Without finish() nothing stays on disk.
   ~TerrainMosaic();
@@ -27,12 +34,14 @@ class TerrainMosaic {
   TerrainMosaic& operator=(const TerrainMosaic&) = delete;
 
   /// Adds the map as it stands after a scan. Every view must have the same cell size; a map that
-  /// started anew on another lattice (pose jump) is added at the nearest cell. Throws io::Error
-  /// where the hidden file cannot be written.
+  /// started anew on another lattice (reset) is added at the nearest cell; a view without cells
+  /// adds nothing. Throws io::Error where the hidden file cannot be written, std::invalid_argument
+  /// where the view does not fit the ones before.
   void add(const TerrainView& terrain);
 
-  /// Writes the GeoTIFF, complete or not at all. Throws io::Error where that fails or no scan was
-  /// added.
+  /// Writes the GeoTIFF, complete or not at all, cropped to the cells that have a height. Areas
+  /// without any take no room in it. Throws io::Error where that fails, no scan told a height, or
+  /// the drive spans more than a raster can hold. The mosaic stays as it is and may grow further.
   void finish();
 
   /// Bytes of the tiles that are in memory now.

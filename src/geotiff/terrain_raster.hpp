@@ -17,9 +17,13 @@ inline constexpr float kNoData = -9999.0F;
 inline constexpr int kTerrainBands = 3;
 
 /// Writes the map as it stands after one scan as a GeoTIFF: north-up (row 0 has the greatest y,
-/// column 0 the least x), pixel = cell, DEFLATE, tiled. `crs` is anything that PROJ understands
-/// ("EPSG:32632") or empty for a local frame. Complete or not at all. Throws io::Error where the
-/// file cannot be written, std::invalid_argument where the CRS is unknown.
+/// column 0 the least x), pixel = cell, DEFLATE, tiled. Cells with confidence 0 are no-data.
+///
+/// `crs` is the system of the map frame: whatever PROJ understands ("EPSG:32632", WKT, a PROJ
+/// string) if it is projected in metres, or empty for a local frame. Complete or not at all. Throws
+/// io::Error where the file cannot be written or the map has not begun, std::invalid_argument
+/// where the CRS is unknown, not in metres or not for GeoTIFF, or a layer of the view has not size
+/// x size cells.
 void write_terrain(const std::filesystem::path& path, const TerrainView& terrain,
                    const std::string& crs = {});
 

@@ -11,6 +11,7 @@
 #include "program/evaluate.hpp"
 #include "program/interrupt.hpp"
 #include "program/params.hpp"
+#include "program/reproduce.hpp"
 #include "program/segment.hpp"
 #include "program/usage_error.hpp"
 #include "program/version.hpp"
@@ -54,6 +55,7 @@ int run(int argc, const char* const* argv) {
   add_segment(app);
   add_evaluate(app);
   add_params(app);
+  add_reproduce(app);
   return run_app(app, argc, argv);
 }
 

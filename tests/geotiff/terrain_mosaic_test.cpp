@@ -293,6 +293,17 @@ TEST(TerrainMosaic, ReplacesAFileOnlyAtTheEnd) {
   EXPECT_EQ(read_raster(folder / "terrain.tif").columns, 10);
 }
 
+TEST(TerrainMosaic, GrowsFurtherAfterItWasWritten) {
+  const test::TemporaryFolder folder;
+  TerrainMosaic mosaic(folder / "terrain.tif");
+  mosaic.add(noisy_map(10, 0.0, 0.0, 1).view());
+  mosaic.finish();
+  mosaic.add(noisy_map(10, 2.5, 0.0, 2).view());
+  mosaic.finish();
+  EXPECT_EQ(read_raster(folder / "terrain.tif").columns, 15);
+  EXPECT_EQ(files_below(folder.path()), (Names{"terrain.tif"}));
+}
+
 TEST(TerrainMosaic, MayBeMoved) {
   const test::TemporaryFolder folder;
   TerrainMosaic mosaic(folder / "a.tif");

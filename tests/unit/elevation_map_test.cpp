@@ -152,6 +152,17 @@ TEST(ElevationMap, MovesByWholeCellsOfALatticeAnchoredAtItsStart) {
   EXPECT_NEAR(map.min_y(), y0 - 0.5, 1e-9);
 }
 
+TEST(ElevationMap, StaysOnItsLatticeWhenItStartsAnew) {
+  ElevationMap map(small_map());
+  map.start({100.2, 200.3, 0.0, 0.0, 0.0});
+  const double x0 = map.min_x();
+  const double y0 = map.min_y();
+  // 123.4 m are 246.8 cells, 56.3 m are 112.6: to the nearest cell.
+  map.start({100.2 + 123.4, 200.3 - 56.3, 0.0, 0.0, 0.0});
+  EXPECT_NEAR(map.min_x(), x0 + 247 * 0.5, 1e-9);
+  EXPECT_NEAR(map.min_y(), y0 - 113 * 0.5, 1e-9);
+}
+
 TEST(ElevationMap, TheLatticeMayBeAnchoredByConfig) {
   Config config = small_map();
   config.grid_anchor_x_m = 10.0;
