@@ -27,17 +27,14 @@ static_assert(std::endian::native == std::endian::little, "points are read as th
 using Elements = std::span<const PlyElement>;
 
 std::size_t find_vertices(const InputFile& file, Elements elements) {
-  const auto vertices =
-      std::find_if(elements.begin(), elements.end(),
-                   [](const PlyElement& element) { return element.name == "vertex"; });
-  if (vertices == elements.end())
-    throw Error({.file = file.path(),
-                 .expected = "an element 'vertex' in the header",
-                 .got = elements.empty()
-                            ? "no element"
-                            : fmt::format("{} others, the first of them {}", elements.size(),
-                                          in_quotes(elements.front().name))});
-  return static_cast<std::size_t>(vertices - elements.begin());
+  std::string others;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (elements[i].name == "vertex") return i;
+    if (i < 10) others += fmt::format(" {}", in_quotes(elements[i].name));
+  }
+  throw Error({.file = file.path(),
+               .expected = "an element 'vertex' in the header",
+               .got = others.empty() ? "no element" : fmt::format("the elements{}", others)});
 }
 
 void add_fields(const InputFile& file, const PlyElement& vertices, PointCloud& cloud) {

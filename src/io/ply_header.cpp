@@ -51,6 +51,7 @@ class HeaderParser {
 
  private:
   const std::string& next_line() {
+    ++number_;
     std::optional<std::string> line = file_.read_line();
     if (!line) fail("a PLY header that ends with the line end_header", "the end of the file");
     line_ = std::move(*line);
@@ -96,7 +97,7 @@ class HeaderParser {
 
   void take_property(const std::vector<std::string_view>& words) {
     if (header_.elements.empty()) fail("an element before its properties", in_quotes(line_));
-    PlyProperty property{.name = std::string(words.back()), .line = file_.lines()};
+    PlyProperty property{.name = std::string(words.back()), .line = number_};
     if (words.size() == 3) {
       property.type = type_named(words[1]);
     } else if (words.size() == 5 && words[1] == "list") {
@@ -119,7 +120,7 @@ class HeaderParser {
   [[noreturn]] void fail(std::string expected, std::string got,
                          std::string remedy = "mend the header") const {
     throw Error({.file = file_.path(),
-                 .line = std::max<std::size_t>(file_.lines(), 1),
+                 .line = number_,
                  .expected = std::move(expected),
                  .got = std::move(got),
                  .remedy = std::move(remedy)});
@@ -127,6 +128,7 @@ class HeaderParser {
 
   InputFile& file_;
   std::string line_;
+  std::size_t number_ = 0;  ///< Of that line.
   bool has_format_ = false;
   PlyHeader header_;
 };

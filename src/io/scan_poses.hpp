@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "io/pose_file.hpp"
 #include "io/scan_sequence.hpp"
 
 namespace groundgrid::io {
@@ -25,7 +26,9 @@ class ScanPoses {
   ///  - TUM: time tx ty tz qx qy qz qw, seconds and metres, comments with '#'.
   /// With a `calibration` the poses are the camera's, as in kitti().
   ///
-  /// TUM poses are interpolated at a scan's time where the sequence has times.txt. Otherwise, and
+  /// TUM poses are interpolated at a scan's time where the sequence has times.txt: on a straight
+  /// line, and about one axis; up to 0.1 s before the first and after the last it is that one.
+  /// Otherwise, and
   /// in KITTI form always, a line belongs to the scan of its number where every number has a line,
   /// else to the scan of its place in order where there are as many lines as scans. Throws Error
   /// where a file cannot be read, a line is no pose, or the lines cannot be matched.
@@ -38,6 +41,25 @@ class ScanPoses {
   /// T_map_lidar at a scan of the sequence. Throws Error, with the file and the line that is
   /// missing, where there is none.
   [[nodiscard]] Eigen::Isometry3d pose(const ScanFile& scan) const;
+
+ private:
+  /// Which of so many lines belongs to a scan.
+  enum class Line { of_its_number, of_its_place };
+
+  ScanPoses(std::filesystem::path path, PoseList list);
+
+  static Line matching_line(const std::filesystem::path& path, std::size_t lines,
+                            const ScanSequence& sequence);
+  static std::size_t index_of(const ScanFile& scan, Line line);
+
+  void turn_into_lidar_poses(const std::filesystem::path& calibration);
+  [[nodiscard]] Eigen::Isometry3d pose_at_scan_time(const ScanFile& scan) const;
+
+  std::filesystem::path path_;
+  PoseList list_;
+  Line line_ = Line::of_its_number;  ///< Of the poses, or of the times where there are some.
+  std::filesystem::path times_path_{};
+  std::vector<double> scan_times_{};  ///< Empty where a scan has a pose of its own.
 };
 
 }  // namespace groundgrid::io

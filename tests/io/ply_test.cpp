@@ -1,0 +1,239 @@
+#include "io/ply.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cloud_checks.hpp"
+#include "io/error.hpp"
+
+namespace groundgrid::io {
+namespace {
+
+using test::contains;
+using test::names_of;
+using test::values_of;
+using namespace std::string_literals;
+
+using Values = std::vector<double>;
+
+PointCloud read(std::string_view content) { return test::read_content(content, ScanFormat::ply); }
+
+std::string error(std::string_view content) { return test::error_in(content, ScanFormat::ply); }
+
+template <typename Number>
+std::string little(Number number) {
+  return {reinterpret_cast<const char*>(&number), sizeof number};
+}
+
+template <typename Number>
+std::string big(Number number) {
+  std::string bytes = little(number);
+  std::reverse(bytes.begin(), bytes.end());
+  return bytes;
+}
+
+constexpr const char* kXyz = "property float x\nproperty float y\nproperty float z\n";
+
+TEST(PlyAscii, IsReadWithEveryTypeInBothSpellings) {
+  const std::vector<std::pair<std::string, FieldType>> types{
+      {"char", FieldType::int8},      {"int8", FieldType::int8},
+      {"uchar", FieldType::uint8},    {"uint8", FieldType::uint8},
+      {"short", FieldType::int16},    {"int16", FieldType::int16},
+      {"ushort", FieldType::uint16},  {"uint16", FieldType::uint16},
+      {"int", FieldType::int32},      {"int32", FieldType::int32},
+      {"uint", FieldType::uint32},    {"uint32", FieldType::uint32},
+      {"float", FieldType::float32},  {"float32", FieldType::float32},
+      {"double", FieldType::float64}, {"float64", FieldType::float64}};
+  std::string header = "ply\nformat ascii 1.0\nelement vertex 1\n"s + kXyz;
+  std::string line = "1 2 3";
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    header += "property " + types[i].first + " p" + std::to_string(i) + "\n";
+    line.append(" ").append(std::to_string(i + 100));
+  }
+  const PointCloud cloud = read(header + "end_header\n" + line + "\n");
+  ASSERT_EQ(cloud.fields.size(), 3 + types.size());
+  EXPECT_EQ(cloud.encoding, CloudEncoding::ascii);
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    EXPECT_EQ(cloud.fields[i + 3].type, types[i].second) << types[i].first;
+    EXPECT_EQ(value_at(cloud, 0, cloud.fields[i + 3]), static_cast<double>(i + 100));
+  }
+}
+
+TEST(PlyAscii, TakesCommentsLineEndsAndOtherElementsAsTheyCome) {
+  const PointCloud cloud = read(
+      "ply\r\nformat ascii 1.0\r\ncomment element vertex 7\r\nobj_info by hand\r\n"
+      "element camera 1\r\nproperty float a\r\nelement nothing 1000000000000\r\n"
+      "element face 2\r\nproperty list uchar int vertex_indices\r\n"
+      "element vertex 2\r\nproperty double X\r\nproperty double Y\r\nproperty double Z\r\n"
+      "element edge 1\r\nproperty int from\r\nend_header\r\n"
+      "0.5\r\n3 0 1 2\r\n\r\n0\r\n1 2 3\r\nnan -inf 6.5\r\nthe rest does not matter\r\n");
+  EXPECT_EQ(names_of(cloud), (test::Names{"x", "y", "z"}));
+  EXPECT_EQ(cloud.find("x")->type, FieldType::float64);
+  ASSERT_EQ(cloud.size(), 2U);
+  EXPECT_EQ(values_of(cloud, "x")[0], 1.0);
+  EXPECT_TRUE(std::isnan(values_of(cloud, "x")[1]));
+  EXPECT_EQ(values_of(cloud, "y")[1], -HUGE_VAL);
+  EXPECT_EQ(values_of(cloud, "z"), (Values{3.0, 6.5}));
+}
+
+TEST(PlyAscii, HoldsWhatTheHeaderPromises) {
+  const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\n"s + kXyz + "end_header\n";
+  EXPECT_TRUE(contains(error(header + "1.000 2.000 3.000\n4 5 6\n"),
+                       "line 9: expected 3 points, as the header promises, got the end of the file "
+                       "after 2"));
+  EXPECT_TRUE(contains(error(header + "1 2 3\n4 five 6\n7 8 9\n"),
+                       "line 9: expected a float32 for 'y', got 'five'"));
+  EXPECT_TRUE(contains(error("ply\nformat ascii 1.0\nelement a 5\nproperty int b\n"
+                             "element vertex 0\n"s +
+                             kXyz + "end_header\n1\n2\n"),
+                       "line 11: expected 5 lines of an element before the points, got the end of "
+                       "the file after 2"));
+}
+
+TEST(PlyBinary, IsReadInBothByteOrders) {
+  const std::string header =
+      "property double x\nproperty float y\nproperty short z\n"
+      "property uchar ring\nproperty uint time\nend_header\n";
+  const PointCloud cloud = read(
+      "ply\nformat binary_little_endian 1.0\nelement vertex 2\n" + header + little(1.5) +
+      little(-2.5F) + little<std::int16_t>(-3) + "\x07" + little<std::uint32_t>(4000000000) +
+      little(0.1) + little(0.1F) + little<std::int16_t>(258) + "\xff" + little<std::uint32_t>(1));
+  const PointCloud swapped =
+      read("ply\nformat binary_big_endian 1.0\nelement vertex 2\n" + header + big(1.5) +
+           big(-2.5F) + big<std::int16_t>(-3) + "\x07" + big<std::uint32_t>(4000000000) + big(0.1) +
+           big(0.1F) + big<std::int16_t>(258) + "\xff" + big<std::uint32_t>(1));
+  EXPECT_EQ(cloud.encoding, CloudEncoding::binary);
+  EXPECT_EQ(swapped.encoding, CloudEncoding::binary_big_endian);
+  EXPECT_EQ(cloud.data, swapped.data);
+  EXPECT_EQ(values_of(cloud, "x"), (Values{1.5, 0.1}));
+  EXPECT_EQ(values_of(cloud, "y"), (Values{-2.5, static_cast<double>(0.1F)}));
+  EXPECT_EQ(values_of(cloud, "z"), (Values{-3.0, 258.0}));
+  EXPECT_EQ(values_of(cloud, "ring"), (Values{7.0, 255.0}));
+  EXPECT_EQ(values_of(cloud, "time"), (Values{4000000000.0, 1.0}));
+}
+
+TEST(PlyBinary, SkipsOtherElementsBeforeThePoints) {
+  const std::string header =
+      "element camera 2\nproperty double a\nproperty char b\nelement nothing 1000000000000\n"
+      "element face 2\nproperty int flags\nproperty list uchar ushort v\n"
+      "property list int double t\nelement vertex 1\n"s +
+      kXyz + "end_header\n";
+  const std::string camera(18, 'c');
+  const PointCloud cloud =
+      read("ply\nformat binary_little_endian 1.0\n" + header + camera + little(1) + "\x02" +
+           "abcd" + little(0) + little(2) + "\x00"s + little(1) + "12345678" + little(1.0F) +
+           little(2.0F) + little(3.0F));
+  EXPECT_EQ(values_of(cloud, "x"), Values{1.0});
+  EXPECT_EQ(values_of(cloud, "z"), Values{3.0});
+  const PointCloud swapped =
+      read("ply\nformat binary_big_endian 1.0\n" + header + camera + big(1) + "\x02" + "abcd" +
+           big(0) + big(2) + "\x00"s + big(1) + "12345678" + big(1.0F) + big(2.0F) + big(3.0F));
+  EXPECT_EQ(swapped.data, cloud.data);
+}
+
+TEST(PlyBinary, HoldsWhatTheHeaderPromises) {
+  const std::string begin = "ply\nformat binary_little_endian 1.0\n";
+  EXPECT_TRUE(
+      contains(error(begin + "element vertex 3\n" + kXyz + "end_header\n" + "12345678901234"),
+               ": expected 3 points of 12 bytes, as the header promises, got 14 bytes, which "
+               "hold 1"));
+  EXPECT_TRUE(
+      contains(error(begin + "element vertex 18446744073709551615\n" + kXyz + "end_header\n"),
+               "got 0 bytes"));
+  const std::string vertex = "element vertex 0\n"s + kXyz + "end_header\n";
+  const std::string message =
+      "records of the element 'face' before the points, got the end of the "
+      "file among them";
+  EXPECT_TRUE(contains(error(begin + "element face 9\nproperty int a\n" + vertex + "1234"),
+                       "expected 9 " + message));
+  EXPECT_TRUE(contains(
+      error(begin + "element face 18446744073709551615\nproperty double a\n" + vertex), message));
+  const std::string list = "element face 1000000000000000\nproperty list int double a\n" + vertex;
+  EXPECT_TRUE(contains(error(begin + list), message));
+  EXPECT_TRUE(contains(error(begin + list + little(2) + "12345678"), message));
+  EXPECT_TRUE(contains(error(begin + list + little(-1) + std::string(99, '\0')), message));
+  EXPECT_TRUE(contains(error(begin + list + little(0x7FFFFFFF) + "123"), message));
+  EXPECT_TRUE(contains(error(begin + "element face 1\nproperty list float char a\n" + vertex +
+                             little(std::nanf("")) + "123"),
+                       message));
+}
+
+TEST(PlyFile, MayHoldNoPoints) {
+  const std::string rest = " 1.0\nelement vertex 0\n"s + kXyz + "end_header\n";
+  for (const char* const format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    const PointCloud cloud = read("ply\nformat "s + format + rest);
+    EXPECT_EQ(cloud.size(), 0U) << format;
+    EXPECT_EQ(cloud.fields.size(), 3U) << format;
+  }
+}
+
+TEST(PlyFile, HasNoListsInItsVertices) {
+  EXPECT_TRUE(contains(error("ply\nformat ascii 1.0\nelement vertex 0\n"s + kXyz +
+                             "property list uchar int neighbours\nend_header\n"),
+                       "line 7: expected one number in every property of the vertices, got the "
+                       "list 'neighbours'; write the file without it"));
+}
+
+struct WrongHeader {
+  std::string header;
+  std::string message;
+};
+
+class PlyWrongHeader : public ::testing::TestWithParam<WrongHeader> {};
+
+TEST_P(PlyWrongHeader, IsNamedWithItsLine) {
+  EXPECT_TRUE(contains(error(GetParam().header), GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Ply, PlyWrongHeader,
+    ::testing::Values(
+        WrongHeader{"",
+                    "line 1: expected a PLY header that ends with the line end_header, got the "
+                    "end of the file"},
+        WrongHeader{"ply\nformat ascii 1.0\n", "line 3: expected a PLY header that ends"},
+        WrongHeader{"# .PCD v0.7\n",
+                    "line 1: expected the word 'ply' alone in the first line, got "
+                    "'# .PCD v0.7'; if the file has another format, say which "
+                    "with --format"},
+        WrongHeader{"ply" + std::string(70000, 'x'), "line 1: expected a header's line of at most"},
+        WrongHeader{"ply\nend_header\n",
+                    "line 2: expected a line 'format' in the header, got none"},
+        WrongHeader{"ply\nformat ascii 1.0\nformat ascii 1.0\n",
+                    "line 3: expected one line 'format', got a second one"},
+        WrongHeader{"ply\nformat ascii 2.0\n",
+                    "line 2: expected format ascii, binary_little_endian or binary_big_endian 1.0, "
+                    "got 'format ascii 2.0'"},
+        WrongHeader{"ply\nformat\n", "line 2: expected format ascii"},
+        WrongHeader{"ply\nvertex 3\n",
+                    "line 2: expected a line of a PLY header (format, element, "
+                    "property, comment, obj_info, end_header), got 'vertex'"},
+        WrongHeader{
+            "ply\nelement vertex -3\n",
+            "line 2: expected 'element', a name and a whole number, got 'element vertex -3'"},
+        WrongHeader{"ply\nelement vertex 18446744073709551616\n", "line 2: expected 'element'"},
+        WrongHeader{"ply\nelement vertex\n", "line 2: expected 'element'"},
+        WrongHeader{"ply\nproperty float x\n",
+                    "line 2: expected an element before its properties, got 'property float x'"},
+        WrongHeader{"ply\nelement vertex 1\nproperty half x\n",
+                    "line 3: expected a type of PLY (char, uchar, short, ushort, int, uint, float, "
+                    "double, or int8 to float64), got 'half'"},
+        WrongHeader{"ply\nelement vertex 1\nproperty list uchar x\n",
+                    "line 3: expected 'property', a type and a name, or 'property list', two types "
+                    "and a name"},
+        WrongHeader{"ply\nelement vertex 1\nproperty\n", "line 3: expected 'property'"},
+        WrongHeader{"ply\nformat ascii 1.0\nend_header\n",
+                    "expected an element 'vertex' in the header, got no element"},
+        WrongHeader{"ply\nformat ascii 1.0\nelement point 1\nproperty float x\nend_header\n1\n",
+                    "got the elements 'point'"},
+        WrongHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                    "y\nend_header\n1 2\n",
+                    "expected the fields x, y and z, got no z among the fields 'x', 'y'"},
+        WrongHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                    "x\nend_header\n1 2\n",
+                    "expected every field once, got 'x' twice"}));
+
+}  // namespace
+}  // namespace groundgrid::io
