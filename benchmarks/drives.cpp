@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "io/bin_scan.hpp"
-#include "io/kitti_poses.hpp"
+#include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
 #include "support/ray_caster.hpp"
 
@@ -28,13 +28,13 @@ fs::path dataset() {
 Drive read_drive(const fs::path& folder) {
   const std::vector<std::string> names{"00"};
   const io::ScanSequence sequence = io::find_sequences(folder, names).front();
-  const io::KittiPoses poses(sequence.poses(), sequence.calibration());
+  const io::ScanPoses poses = io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
   Drive drive{"SemanticKITTI 00", {}};
   for (const io::ScanFile& file : sequence.scans) {
     if (drive.scans.size() == kScans) break;
     TimedScan& scan = drive.scans.emplace_back();
     io::read_bin_scan(file.path, scan.points);
-    scan.T_map_lidar = poses.pose(file.number);
+    scan.T_map_lidar = poses.pose(file);
   }
   return drive;
 }

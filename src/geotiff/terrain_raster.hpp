@@ -16,6 +16,11 @@ inline constexpr float kNoData = -9999.0F;
 ///  3 count: points that fell into the cell; over a drive the sum
 inline constexpr int kTerrainBands = 3;
 
+/// Throws std::invalid_argument, naming it, where a CRS cannot be that of a terrain: PROJ does not
+/// understand it, its x and y are not metres, or a GeoTIFF cannot hold it. An empty one is a local
+/// frame.
+void check_crs(const std::string& crs);
+
 /// Writes the map as it stands after one scan as a GeoTIFF: north-up (row 0 has the greatest y,
 /// column 0 the least x), pixel = cell, DEFLATE, tiled. Cells with confidence 0 are no-data.
 ///

@@ -12,14 +12,17 @@
 #include <vector>
 
 #include "evaluation/report.hpp"
-#include "io/bin_scan.hpp"
 #include "io/error.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "program/input_options.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
 #include "program/method_options.hpp"
 #include "program/method_runner.hpp"
+#include "program/progress_bar.hpp"
+#include "program/scan_pipeline.hpp"
+#include "program/scan_reading.hpp"
 #include "program/standard_output.hpp"
 #include "program/version.hpp"
 
@@ -31,9 +34,8 @@ using evaluation::Report;
 using evaluation::SequenceResult;
 
 struct EvaluateOptions {
-  fs::path dataset;
+  InputOptions input;
   fs::path predictions;
-  std::vector<std::string> sequences;
   bool leave_unanswered_out = false;
   bool json = false;
   bool csv = false;
@@ -63,16 +65,16 @@ void require_label_files(const fs::path& folder, const io::ScanSequence& sequenc
 }
 
 std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options) {
-  std::vector<io::ScanSequence> sequences = io::find_sequences(options.dataset, options.sequences);
+  std::vector<io::ScanSequence> sequences = options.input.find_sequences();
   // The test sequences of SemanticKITTI have no labels; named ones must have them.
-  if (options.sequences.empty())
+  if (!options.input.names_sequences())
     std::erase_if(sequences, [](const io::ScanSequence& sequence) {
       const bool unlabelled = !sequence.plain() && !fs::is_directory(sequence.labels());
       if (unlabelled) spdlog::warn("sequence {} has no labels and is left out", sequence.name);
       return unlabelled;
     });
   if (sequences.empty() || sequences.front().plain())
-    throw io::Error({.file = options.dataset,
+    throw io::Error({.file = options.input.path(),
                      .expected = "a dataset with sequences/NN/velodyne and sequences/NN/labels",
                      .got = "no labelled sequence"});
   for (const io::ScanSequence& sequence : sequences)
@@ -91,34 +93,51 @@ struct Evaluation {
   std::vector<MethodNotes> notes;  ///< Of each sequence; none where predictions were read.
 };
 
-SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence,
-                          MethodNotes& notes) {
+SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence, MethodNotes& notes,
+                          ProgressBar& progress) {
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
   std::vector<std::uint32_t> truth;
+  std::vector<float> coordinates;
   std::vector<double> milliseconds;
-  for (const io::ScanFile& scan : sequence.scans) {
-    check_interrupt();
-    const ProcessedScan processed = runner.process(scan);
-    io::read_labels(label_file(sequence.labels(), scan), scan.path, processed.labels.size(), truth);
-    figures.metrics.add_scan(processed.points, io::kBinFloatsPerPoint, truth, processed.labels);
-    milliseconds.push_back(processed.milliseconds);
-  }
+  ScanPipeline().run(
+      sequence.scans,
+      {.read = [&](const io::ScanFile& scan, ScanSlot& slot) { runner.read(scan, slot); },
+       .process =
+           [&](const io::ScanFile& scan, ScanSlot& slot) {
+             check_interrupt();
+             runner.process(scan, slot);
+             io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
+             copy_coordinates(slot.points, coordinates);
+             figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
+             milliseconds.push_back(slot.milliseconds);
+             progress.advance();
+             return false;
+           }});
   figures.median_ms = median(std::move(milliseconds));
   notes = runner.notes();
   spdlog::info("sequence {}: {}", sequence.name, notes.sensor_words());
   return figures;
 }
 
+std::size_t scans_in(const std::vector<io::ScanSequence>& sequences) {
+  std::size_t scans = 0;
+  for (const io::ScanSequence& sequence : sequences) scans += sequence.scans.size();
+  return scans;
+}
+
 void run_method_on_all(const EvaluateOptions& options, const Config& config,
                        const std::vector<io::ScanSequence>& sequences, Evaluation& result) {
   // All poses are read before the first scan, so that bad ones show at once.
-  std::vector<std::optional<io::KittiPoses>> poses;
+  std::vector<std::optional<io::ScanPoses>> poses;
   poses.reserve(sequences.size());
   for (const io::ScanSequence& sequence : sequences)
-    poses.push_back(read_every_pose(sequence, options.method.single_scan()));
+    poses.push_back(options.input.read_every_pose(sequence, options.method.single_scan()));
+  const RunFrames frames{.R_level_lidar = options.input.R_level_lidar()};
+  ProgressBar progress(scans_in(sequences));
   for (std::size_t i = 0; i < sequences.size(); ++i)
-    result.report.sequences.push_back(run_method(MethodRunner(config, std::move(poses[i])),
-                                                 sequences[i], result.notes.emplace_back()));
+    result.report.sequences.push_back(run_method(MethodRunner(config, std::move(poses[i]), frames),
+                                                 sequences[i], result.notes.emplace_back(),
+                                                 progress));
 }
 
 SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSequence& sequence) {
@@ -128,16 +147,16 @@ SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSe
     spdlog::warn("{} holds {} label files, but only {} have a scan", folder.string(), files,
                  sequence.scans.size());
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
-  std::vector<float> points;
+  ScanSlot slot;
+  std::vector<float> coordinates;
   std::vector<std::uint32_t> truth;
-  std::vector<std::uint32_t> predicted;
   for (const io::ScanFile& scan : sequence.scans) {
     check_interrupt();
-    io::read_bin_scan(scan.path, points);
-    const std::size_t count = points.size() / io::kBinFloatsPerPoint;
-    io::read_labels(label_file(sequence.labels(), scan), scan.path, count, truth);
-    io::read_labels(label_file(folder, scan), scan.path, count, predicted);
-    figures.metrics.add_scan(points, io::kBinFloatsPerPoint, truth, predicted);
+    read_into_slot(scan, Eigen::Matrix3d::Identity(), slot);
+    io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
+    io::read_labels(label_file(folder, scan), scan.path, slot.size(), slot.labels);
+    copy_coordinates(slot.points, coordinates);
+    figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
   }
   return figures;
 }
@@ -145,12 +164,12 @@ SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSe
 std::string title_of(const EvaluateOptions& options, const Config& config) {
   if (!options.predictions.empty())
     return fmt::format("Predictions in {} against {}", options.predictions.string(),
-                       options.dataset.string());
+                       options.input.path().string());
   return fmt::format("GroundGrid {}, preset {}, {}, {} thread{}, on {}", version(),
                      options.method.preset(),
                      options.method.single_scan() ? "single scans" : "sequences with poses",
                      config.threads == 0 ? "all" : std::to_string(config.threads),
-                     config.threads == 1 ? "" : "s", options.dataset.string());
+                     config.threads == 1 ? "" : "s", options.input.path().string());
 }
 
 void print_report(const EvaluateOptions& options, const Config& config, const Evaluation& result) {
@@ -194,11 +213,10 @@ void add_evaluate(CLI::App& app) {
   CLI::App* const command =
       app.add_subcommand("evaluate", "Score the method, or predictions, on labelled scans");
   const auto options = std::make_shared<EvaluateOptions>();
-  command->add_option("DATASET", options->dataset, "Dataset in SemanticKITTI layout")->required();
+  options->input.add_to(*command, "DATASET", "Dataset in SemanticKITTI layout");
   CLI::Option* const predictions =
       command->add_option("--predictions", options->predictions,
                           "Score DIR/sequences/NN/predictions instead of running the method");
-  command->add_option("--sequence", options->sequences, "Only these sequences");
   command->add_flag("--leave-unanswered-out", options->leave_unanswered_out,
                     "Count points without an answer nowhere, instead of as non-ground");
   CLI::Option* const json = command->add_flag("--json", options->json, "Print JSON");

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
+#include <exception>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
-#include "io/bin_scan.hpp"
 #include "io/error.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "program/scan_reading.hpp"
 
 namespace groundgrid::program {
 namespace {
@@ -39,9 +39,9 @@ GroundGrid make_grid(const Config& config) {
 
 // What the library refuses (a pose out of all bounds) is a fault of this scan's input.
 ScanResult process_scan(GroundGrid& grid, const SensorScan& sensor_scan,
-                        const Eigen::Isometry3d& T_map_lidar, const io::ScanFile& scan) {
+                        const Eigen::Isometry3d& T_map_base, const io::ScanFile& scan) {
   try {
-    return grid.process(sensor_scan, T_map_lidar);
+    return grid.process(sensor_scan, T_map_base);
   } catch (const std::invalid_argument& error) {
     throw io::Error(
         {.file = scan.path, .expected = "a scan and a pose to work with", .got = error.what()});
@@ -50,54 +50,52 @@ ScanResult process_scan(GroundGrid& grid, const SensorScan& sensor_scan,
   }
 }
 
+void warn_about(const io::ScanFile& scan, const ScanResult& result, const Config& config) {
+  if (result.map_restarted)
+    spdlog::warn(
+        "{}: its pose is more than pose_jump_m ({} m) from the one before; the map starts anew",
+        scan.path.string(), config.pose_jump_m);
+  if (result.unknown == result.labels.size())
+    spdlog::warn(
+        "{}: none of its {} points has an answer; all are NaN, too near or outside of the {} m "
+        "around the LiDAR (`groundgrid info` tells)",
+        scan.path.string(), result.unknown, config.map_extent_m);
+}
+
 }  // namespace
 
-std::optional<io::KittiPoses> read_poses(const io::ScanSequence& sequence, bool single_scan) {
-  if (single_scan || sequence.plain()) return std::nullopt;
-  if (!std::filesystem::exists(sequence.poses()))
-    throw io::Error({.file = sequence.poses(),
-                     .expected = "the poses of the sequence",
-                     .got = "nothing of that name",
-                     .remedy = "use --single-scan to do without poses"});
-  return io::KittiPoses(sequence.poses(), sequence.calibration());
+MethodRunner::MethodRunner(const Config& config, std::optional<io::ScanPoses> poses,
+                           RunFrames frames)
+    : grid_(make_grid(config)), poses_(std::move(poses)), frames_(std::move(frames)) {}
+
+void MethodRunner::read(const io::ScanFile& scan, ScanSlot& slot) const {
+  read_into_slot(scan, frames_.R_level_lidar, slot);
 }
 
-std::optional<io::KittiPoses> read_every_pose(const io::ScanSequence& sequence, bool single_scan) {
-  std::optional<io::KittiPoses> poses = read_poses(sequence, single_scan);
-  // Scans are in the order of their numbers, so the last one needs the last line.
-  if (poses) (void)poses->pose(sequence.scans.back().number);
-  return poses;
+Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
+  if (!poses_) return frames_.T_map_poses;
+  Eigen::Isometry3d T_lidar_level = Eigen::Isometry3d::Identity();
+  T_lidar_level.linear() = frames_.R_level_lidar.transpose();
+  return frames_.T_map_poses * poses_->pose(scan) * T_lidar_level;
 }
 
-MethodRunner::MethodRunner(const Config& config, std::optional<io::KittiPoses> poses)
-    : grid_(make_grid(config)), poses_(std::move(poses)) {}
-
-ProcessedScan MethodRunner::process(const io::ScanFile& scan) {
-  io::read_bin_scan(scan.path, points_);
-  const std::size_t count = points_.size() / io::kBinFloatsPerPoint;
-  if (count == 0)
-    throw io::Error(
-        {.file = scan.path, .expected = "a scan", .got = "a file that holds no points"});
-  const Eigen::Isometry3d T_map_lidar =
-      poses_ ? poses_->pose(scan.number) : Eigen::Isometry3d::Identity();
+void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
+  if (slot.problem) std::rethrow_exception(std::exchange(slot.problem, nullptr));
+  const Eigen::Isometry3d T_map_base = pose(scan);
   if (!poses_) grid_.reset();
-
-  const SensorScan sensor_scan{
-      .points = PointView::from_floats(points_.data(), count, io::kBinFloatsPerPoint)};
   const auto begin = std::chrono::steady_clock::now();
-  const ScanResult result = process_scan(grid_, sensor_scan, T_map_lidar, scan);
+  const ScanResult result = process_scan(grid_, {.points = slot.points}, T_map_base, scan);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
 
   notes_.add(result);
-  if (result.map_restarted)
-    spdlog::warn(
-        "{}: its pose is more than pose_jump_m ({} m) from the one before; the map starts "
-        "anew",
-        scan.path.string(), grid_.config().pose_jump_m);
-  labels_.resize(count);
-  std::transform(result.labels.begin(), result.labels.end(), labels_.begin(),
+  warn_about(scan, result, grid_.config());
+  slot.milliseconds = time.count();
+  slot.counts = counts_of(result);
+  slot.labels.resize(result.labels.size());
+  std::transform(result.labels.begin(), result.labels.end(), slot.labels.begin(),
                  io::semantic_kitti_label);
-  return {points_, labels_, result, time.count()};
+  slot.height_above_ground.assign(result.height_above_ground.begin(),
+                                  result.height_above_ground.end());
 }
 
 }  // namespace groundgrid::program

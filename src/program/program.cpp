@@ -9,6 +9,7 @@
 #include <new>
 
 #include "program/evaluate.hpp"
+#include "program/info.hpp"
 #include "program/interrupt.hpp"
 #include "program/params.hpp"
 #include "program/reproduce.hpp"
@@ -54,6 +55,7 @@ int run(int argc, const char* const* argv) {
   app.require_subcommand(1);
   add_segment(app);
   add_evaluate(app);
+  add_info(app);
   add_params(app);
   add_reproduce(app);
   return run_app(app, argc, argv);

@@ -17,13 +17,13 @@
 #include "evaluation/published_results.hpp"
 #include "evaluation/reproduction.hpp"
 #include "io/atomic_file.hpp"
-#include "io/bin_scan.hpp"
 #include "io/error.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
 #include "program/method_runner.hpp"
+#include "program/scan_reading.hpp"
 #include "program/standard_output.hpp"
 #include "program/version.hpp"
 
@@ -55,9 +55,15 @@ bool is_published(const io::ScanSequence& sequence) {
   });
 }
 
+io::ScanPoses read_poses(const io::ScanSequence& sequence) {
+  io::ScanPoses poses = io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+  for (const io::ScanFile& scan : sequence.scans) (void)poses.pose(scan);
+  return poses;
+}
+
 // Runs may take hours, so everything that can be missing is looked for before the first scan.
 void require_labels_and_poses(const io::ScanSequence& sequence) {
-  (void)read_every_pose(sequence, false);
+  (void)read_poses(sequence);
   for (const io::ScanFile& scan : sequence.scans)
     if (!fs::exists(label_file(sequence, scan)))
       throw io::Error({.file = label_file(sequence, scan),
@@ -85,13 +91,17 @@ std::vector<io::ScanSequence> sequences_of_table(const ReproduceOptions& options
 }
 
 // What the method gave on one scan.
-using ScanVisitor = std::function<void(const io::ScanFile&, const ProcessedScan&)>;
+using ScanVisitor = std::function<void(const io::ScanFile&, const ScanSlot&)>;
 
 void run_method(const Config& config, const io::ScanSequence& sequence, const ScanVisitor& visit) {
-  MethodRunner runner(config, read_every_pose(sequence, false));
+  MethodRunner runner(config, read_poses(sequence));
+  ScanSlot slot;
+  // One after the other, so that nothing disturbs the times.
   for (const io::ScanFile& scan : sequence.scans) {
     check_interrupt();
-    visit(scan, runner.process(scan));
+    runner.read(scan, slot);
+    runner.process(scan, slot);
+    visit(scan, slot);
   }
 }
 
@@ -119,9 +129,11 @@ SequenceResult score(const std::string& preset, Config config, const io::ScanSeq
   announce(preset, sequence, config.threads);
   SequenceResult result{.name = sequence.name, .scans = sequence.scans.size()};
   std::vector<std::uint32_t> truth;
-  run_method(config, sequence, [&](const io::ScanFile& scan, const ProcessedScan& processed) {
+  std::vector<float> coordinates;
+  run_method(config, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
     io::read_labels(label_file(sequence, scan), scan.path, processed.labels.size(), truth);
-    result.metrics.add_scan(processed.points, io::kBinFloatsPerPoint, truth, processed.labels);
+    copy_coordinates(processed.points, coordinates);
+    result.metrics.add_scan(coordinates, 3, truth, processed.labels);
     labels.add(processed.labels);
     times.one_thread.push_back(processed.milliseconds);
   });
@@ -134,7 +146,7 @@ void repeat_with_all_threads(const std::string& preset, Config config,
   config.threads = all_threads();
   announce(preset, sequence, config.threads);
   std::size_t index = 0;
-  run_method(config, sequence, [&](const io::ScanFile& scan, const ProcessedScan& processed) {
+  run_method(config, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
     if (!labels.holds(index++, processed.labels))
       throw std::runtime_error(
           fmt::format("{}: preset {} gives other labels with {} threads than with 1",

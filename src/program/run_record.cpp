@@ -8,9 +8,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json or_null(const std::filesystem::path& path) {
+  return path.empty() ? Json(nullptr) : Json(path.string());
+}
+
 Json counts_json(std::size_t scans, const LabelCounts& counts) {
   return {{"scans", scans},
-          {"points", counts.ground + counts.obstacle + counts.outlier + counts.unknown},
+          {"points", counts.points()},
           {"ground", counts.ground},
           {"obstacle", counts.obstacle},
           {"outlier", counts.outlier},
@@ -25,6 +29,7 @@ Json sequence_json(const SequenceRecord& sequence) {
             {"folder", sequence.folder.string()},
             {"counts", counts_json(sequence.scans, sequence.counts)}};
   put_notes(json, sequence.notes);
+  json["terrain"] = or_null(sequence.terrain);
   json["skipped"] = skipped;
   return json;
 }
@@ -41,24 +46,14 @@ Json skipped_sequences_json(const RunRecord& record) {
 
 }  // namespace
 
-void LabelCounts::add(const ScanResult& result) {
-  ground += result.ground;
-  obstacle += result.obstacle;
-  outlier += result.outlier;
-  unknown += result.unknown;
-}
-
-void LabelCounts::add(const LabelCounts& other) {
-  ground += other.ground;
-  obstacle += other.obstacle;
-  outlier += other.outlier;
-  unknown += other.unknown;
-}
-
 std::size_t RunRecord::scans() const {
   std::size_t scans = 0;
   for (const SequenceRecord& sequence : sequences) scans += sequence.scans;
   return scans;
+}
+
+double RunRecord::scans_per_second() const {
+  return seconds > 0.0 ? static_cast<double>(scans()) / seconds : 0.0;
 }
 
 std::size_t RunRecord::skipped() const {
@@ -81,10 +76,13 @@ Json to_json(const RunRecord& record) {
           {"complete", record.skipped() == 0},
           {"input", record.input.string()},
           {"output", record.output.string()},
+          {"poses", or_null(record.poses)},
           {"preset", record.preset},
           {"single_scan", record.single_scan},
           {"config", to_json(record.config)},
           {"counts", counts_json(record.scans(), counts)},
+          {"seconds", record.seconds},
+          {"scans_per_second", record.scans_per_second()},
           {"skipped_scans", record.skipped()},
           {"sequences", sequences},
           {"skipped_sequences", skipped_sequences_json(record)}};

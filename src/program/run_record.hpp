@@ -1,28 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "groundgrid/config.hpp"
-#include "groundgrid/ground_grid.hpp"
+#include "program/label_counts.hpp"
 #include "program/method_notes.hpp"
 
 namespace groundgrid::program {
-
-/// Points by answer.
-struct LabelCounts {
-  std::uint64_t ground = 0;
-  std::uint64_t obstacle = 0;
-  std::uint64_t outlier = 0;
-  std::uint64_t unknown = 0;
-
-  void add(const ScanResult& result);
-  void add(const LabelCounts& other);
-};
 
 /// A scan that --keep-going passed over.
 struct SkippedScan {
@@ -38,6 +26,7 @@ struct SequenceRecord {
   LabelCounts counts{};
   MethodNotes notes{};
   std::vector<SkippedScan> skipped{};
+  std::filesystem::path terrain{};  ///< Relative to the output; empty where none was written.
 };
 
 /// A sequence that --keep-going passed over as a whole: its poses cannot be used.
@@ -52,14 +41,18 @@ struct SkippedSequence {
 struct RunRecord {
   std::filesystem::path input;
   std::filesystem::path output;
+  std::filesystem::path poses{};  ///< Of --poses; empty where the sequences' own were used.
   std::string preset;
   bool single_scan = false;
   Config config{};
   std::vector<SequenceRecord> sequences{};
   std::vector<SkippedSequence> skipped_sequences{};
+  double seconds = 0.0;  ///< From the first scan's reading to the last one's writing.
 
   /// Segmented scans.
   [[nodiscard]] std::size_t scans() const;
+  /// Segmented scans a second, reading and writing included.
+  [[nodiscard]] double scans_per_second() const;
   /// Skipped scans, those of skipped sequences among them.
   [[nodiscard]] std::size_t skipped() const;
 };

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "io/bin_scan.hpp"
-#include "io/kitti_poses.hpp"
+#include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 
@@ -35,7 +35,7 @@ std::vector<RealScan> read_scans(const fs::path& dataset, const std::string& seq
                                  std::size_t limit) {
   const std::vector<std::string> names{sequence_name};
   const io::ScanSequence sequence = io::find_sequences(dataset, names).front();
-  const io::KittiPoses poses(sequence.poses(), sequence.calibration());
+  const io::ScanPoses poses = io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
   std::vector<RealScan> scans;
   for (const io::ScanFile& file : sequence.scans) {
     if (scans.size() == limit) break;
@@ -43,7 +43,7 @@ std::vector<RealScan> read_scans(const fs::path& dataset, const std::string& seq
     io::read_bin_scan(file.path, scan.points);
     io::read_labels(sequence.labels() / (file.name + ".label"), file.path, scan.size(),
                     scan.labels);
-    scan.T_map_lidar = poses.pose(file.number);
+    scan.T_map_lidar = poses.pose(file);
   }
   return scans;
 }

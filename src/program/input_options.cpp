@@ -1,0 +1,90 @@
+#include "program/input_options.hpp"
+
+#include <CLI/Validators.hpp>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "io/error.hpp"
+#include "io/scan_format.hpp"
+#include "program/usage_error.hpp"
+
+namespace groundgrid::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+}  // namespace
+
+void InputOptions::add_to(CLI::App& command, const std::string& name,
+                          const std::string& description) {
+  command.add_option(name, path_, description)->required();
+  command.add_option("--sequence", sequences_, "Only these sequences of a dataset");
+  command
+      .add_option("--format", format_,
+                  "Take every scan as kitti, nuscenes, pcd or ply, whatever its name says")
+      ->check(CLI::IsMember({"kitti", "nuscenes", "pcd", "ply"}));
+  CLI::Option* const poses =
+      command.add_option("--poses", poses_,
+                         "Poses of the LiDAR, KITTI (12 numbers a line) or TUM (time, position, "
+                         "quaternion), instead of the sequence's poses.txt");
+  command
+      .add_option("--calibration", calibration_,
+                  "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses")
+      ->needs(poses);
+  command
+      .add_option("--lidar-rpy-deg", roll_pitch_yaw_deg_,
+                  "Roll, pitch and yaw of the LiDAR on the vehicle, degrees (180,0,0: upside down)")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("R,P,Y");
+}
+
+std::vector<io::ScanSequence> InputOptions::find_sequences() const {
+  for (const double angle : roll_pitch_yaw_deg_)
+    if (!std::isfinite(angle)) throw UsageError("--lidar-rpy-deg: expected three finite angles");
+  auto sequences = io::find_sequences(
+      path_, sequences_,
+      format_.empty() ? std::optional<io::ScanFormat>{} : io::scan_format_named(format_));
+  if (!poses_.empty() && sequences.size() > 1)
+    throw UsageError("--poses is for one sequence; choose it with --sequence");
+  return sequences;
+}
+
+std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& sequence,
+                                                      bool single_scan) const {
+  if (single_scan && !poses_.empty())
+    throw UsageError("--single-scan uses no poses: leave out one of it and --poses");
+  if (without_poses(sequence, single_scan)) return std::nullopt;
+  if (!poses_.empty())
+    return io::ScanPoses::from_file(
+        poses_, sequence, calibration_.empty() ? std::optional<fs::path>{} : calibration_);
+  if (!fs::exists(sequence.poses()))
+    throw io::Error({.file = sequence.poses(),
+                     .expected = "the poses of the sequence",
+                     .got = "nothing of that name",
+                     .remedy = "use --single-scan to do without poses, or --poses for others"});
+  return io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+}
+
+std::optional<io::ScanPoses> InputOptions::read_every_pose(const io::ScanSequence& sequence,
+                                                           bool single_scan) const {
+  std::optional<io::ScanPoses> poses = read_poses(sequence, single_scan);
+  if (poses)
+    for (const io::ScanFile& scan : sequence.scans) (void)poses->pose(scan);
+  return poses;
+}
+
+Eigen::Matrix3d InputOptions::R_level_lidar() const {
+  if (roll_pitch_yaw_deg_.empty()) return Eigen::Matrix3d::Identity();
+  const auto turn = [this](std::size_t i, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(roll_pitch_yaw_deg_[i] * kRadiansPerDegree, axis);
+  };
+  return (turn(2, Eigen::Vector3d::UnitZ()) * turn(1, Eigen::Vector3d::UnitY()) *
+          turn(0, Eigen::Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+}  // namespace groundgrid::program

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "io/scan_format.hpp"
+#include "io/scan_sequence.hpp"
+#include "program/scan_slot.hpp"
+
+namespace groundgrid::program {
+
+/// Which point clouds `segment` writes besides the labels.
+enum class CloudOutput : std::uint8_t { none, same, pcd, ply };
+
+/// "none", "same", "pcd", "ply", as --clouds takes them.
+CloudOutput cloud_output_named(const std::string& name);
+
+/// Where the answers of one sequence go: a .label file a scan and, where wished, a cloud with all
+/// fields of the input, the labels and the heights.
+class ScanWriter {
+ public:
+  /// Makes the folders below `output`, the folder of the whole run. Throws io::Error where that
+  /// fails, UsageError where a scan has no cloud format to be written in again, or would be
+  /// overwritten.
+  ScanWriter(const std::filesystem::path& output, const io::ScanSequence& sequence,
+             CloudOutput clouds);
+
+  /// Writes the files of one scan, each complete or not at all. Throws io::Error.
+  void write(const io::ScanFile& scan, const ScanSlot& slot) const;
+
+ private:
+  [[nodiscard]] io::ScanFormat cloud_format(const io::ScanFile& scan) const;
+  [[nodiscard]] std::filesystem::path cloud_path(const io::ScanFile& scan) const;
+  void check(const io::ScanFile& scan) const;
+
+  std::filesystem::path label_folder_;
+  std::filesystem::path cloud_folder_;
+  CloudOutput clouds_;
+};
+
+}  // namespace groundgrid::program

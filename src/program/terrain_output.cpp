@@ -1,0 +1,89 @@
+#include "program/terrain_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "program/output_folder.hpp"
+#include "program/usage_error.hpp"
+
+namespace groundgrid::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path place_of(const io::ScanSequence& sequence, bool single_scans) {
+  const fs::path folder = sequence.plain() ? fs::path{} : fs::path("sequences") / sequence.name;
+  if (!single_scans) return folder / "terrain.tif";
+  return sequence.plain() ? fs::path(".") : folder / "terrain";
+}
+
+}  // namespace
+
+void TerrainOptions::add_to(CLI::App& command) {
+  CLI::Option* const terrain = command.add_flag(
+      "--terrain", wanted_, "Write the terrain of each drive (or single scan) as a GeoTIFF");
+  command
+      .add_option("--crs", crs_,
+                  "Coordinate reference system of the terrain, e.g. EPSG:32632 [a local frame]")
+      ->needs(terrain);
+  CLI::Option* const origin =
+      command
+          .add_option("--origin", origin_m_,
+                      "East, north and height of the origin of the poses in that system, metres")
+          ->expected(3)
+          ->delimiter(',')
+          ->type_name("E,N,H")
+          ->needs(terrain);
+  command
+      .add_option("--heading-deg", heading_deg_,
+                  "Direction of the poses' x axis, degrees from east towards north [0]")
+      ->needs(origin);
+}
+
+const std::string& TerrainOptions::crs() const {
+  try {
+    geotiff::check_crs(crs_);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("--crs: {}", error.what()));
+  }
+  return crs_;
+}
+
+Eigen::Isometry3d TerrainOptions::T_map_poses() const {
+  Eigen::Isometry3d T_map_poses = Eigen::Isometry3d::Identity();
+  if (origin_m_.empty()) return T_map_poses;
+  const Eigen::Vector3d origin(origin_m_[0], origin_m_[1], origin_m_[2]);
+  if (!origin.allFinite() || !std::isfinite(heading_deg_))
+    throw UsageError("--origin and --heading-deg: expected finite numbers");
+  T_map_poses.translation() = origin;
+  T_map_poses.linear() =
+      Eigen::AngleAxisd(heading_deg_ * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ())
+          .toRotationMatrix();
+  return T_map_poses;
+}
+
+TerrainOutput::TerrainOutput(const fs::path& output, const io::ScanSequence& sequence,
+                             bool single_scans, std::string crs)
+    : output_(output), place_(place_of(sequence, single_scans)), crs_(std::move(crs)) {
+  if (single_scans)
+    make_folder(output_ / place_);
+  else
+    mosaic_.emplace(output_ / place_, crs_);
+}
+
+void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain) {
+  if (mosaic_)
+    mosaic_->add(terrain);
+  else
+    geotiff::write_terrain(output_ / place_ / (scan.name + ".tif"), terrain, crs_);
+}
+
+void TerrainOutput::finish() {
+  if (mosaic_) mosaic_->finish();
+}
+
+}  // namespace groundgrid::program

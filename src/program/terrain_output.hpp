@@ -1,0 +1,60 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geotiff/terrain_mosaic.hpp"
+#include "groundgrid/terrain_view.hpp"
+#include "io/scan_sequence.hpp"
+
+namespace groundgrid::program {
+
+/// The flags that say whether and in what frame the terrain is written.
+class TerrainOptions {
+ public:
+  void add_to(CLI::App& command);
+
+  [[nodiscard]] bool wanted() const { return wanted_; }
+  /// Empty for a local frame. Throws UsageError where it cannot be that of a terrain.
+  [[nodiscard]] const std::string& crs() const;
+  /// Where the frame of the poses lies in that of the terrain. Throws UsageError where a number is
+  /// not finite.
+  [[nodiscard]] Eigen::Isometry3d T_map_poses() const;
+
+ private:
+  bool wanted_ = false;
+  std::string crs_;
+  std::vector<double> origin_m_;
+  double heading_deg_ = 0.0;
+};
+
+/// Where the terrain of one sequence goes: a mosaic of the drive or, where the map is forgotten
+/// between scans, one raster a scan.
+class TerrainOutput {
+ public:
+  /// `output` is the folder of the whole run, whose parts are there already. Throws io::Error,
+  /// std::invalid_argument (unknown CRS).
+  TerrainOutput(const std::filesystem::path& output, const io::ScanSequence& sequence,
+                bool single_scans, std::string crs);
+
+  /// Takes the map as it stands after the scan. Throws io::Error.
+  void add(const io::ScanFile& scan, const TerrainView& terrain);
+
+  /// Writes the mosaic. Throws io::Error.
+  void finish();
+
+  /// Files or, for single scans, the folder with one file a scan; relative to the run's folder.
+  [[nodiscard]] const std::filesystem::path& place() const { return place_; }
+
+ private:
+  std::filesystem::path output_;
+  std::filesystem::path place_;
+  std::string crs_;
+  std::optional<geotiff::TerrainMosaic> mosaic_;
+};
+
+}  // namespace groundgrid::program

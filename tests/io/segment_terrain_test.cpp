@@ -1,0 +1,89 @@
+// `groundgrid segment --terrain`; what is in the rasters is tested beside their library.
+#include "segment_fixture.hpp"
+
+namespace groundgrid::program {
+namespace {
+
+namespace fs = std::filesystem;
+using test::contains;
+using test::files_below;
+using test::Names;
+using test::ProgramRun;
+using test::read_file;
+using test::Segment;
+
+TEST_F(Segment, WritesTheTerrainOfADrive) {
+  dataset.add_sequence("00", 2);
+  dataset.add_sequence("01", 1);
+  const ProgramRun run = segment("--terrain");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(
+      files_below(output()),
+      (Names{"run.json", "sequences/00/predictions/000000.label",
+             "sequences/00/predictions/000001.label", "sequences/00/terrain.tif",
+             "sequences/01/predictions/000000.label", "sequences/01/terrain.tif", "timing.csv"}));
+  EXPECT_EQ(read_file(output() / "sequences/00/terrain.tif").substr(0, 2), "II");
+  EXPECT_EQ(record()["sequences"][1]["terrain"], "sequences/01/terrain.tif");
+}
+
+TEST_F(Segment, WritesNoTerrainUnasked) {
+  dataset.add_sequence("00", 1);
+  ASSERT_EQ(segment().exit_code, 0);
+  EXPECT_FALSE(fs::exists(output() / "sequences/00/terrain.tif"));
+  EXPECT_EQ(record()["sequences"][0]["terrain"], nullptr);
+}
+
+TEST_F(Segment, WritesATerrainForEachSingleScan) {
+  dataset.add_sequence("00", 2);
+  ASSERT_EQ(segment("--terrain --single-scan").exit_code, 0);
+  EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain/000000.tif"));
+  EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain/000001.tif"));
+  EXPECT_FALSE(fs::exists(output() / "sequences/00/terrain.tif"));
+}
+
+TEST_F(Segment, TheTerrainDoesNotChangeTheLabels) {
+  dataset.add_sequence("00", 3);
+  const fs::path file = output() / "sequences/00/predictions/000002.label";
+  ASSERT_EQ(segment().exit_code, 0);
+  const std::string labels = read_file(file);
+  ASSERT_EQ(segment("--terrain").exit_code, 0);
+  EXPECT_EQ(read_file(file), labels);
+}
+
+TEST_F(Segment, AFarOriginDoesNotChangeTheLabels) {
+  dataset.add_sequence("00", 3);
+  const fs::path file = output() / "sequences/00/predictions/000002.label";
+  ASSERT_EQ(segment().exit_code, 0);
+  const std::string labels = read_file(file);
+  const ProgramRun run = segment("--terrain --crs EPSG:32632 --origin 456789,5432100,117");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(read_file(file), labels);
+}
+
+TEST_F(Segment, RefusesACrsThatDoesNotExist) {
+  dataset.add_sequence("00", 1);
+  const ProgramRun run = segment("--terrain --crs EPSG:99999999");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.words, "EPSG:99999999"));
+  EXPECT_FALSE(fs::exists(output()));
+}
+
+TEST_F(Segment, TerrainFlagsNeedEachOther) {
+  dataset.add_sequence("00", 1);
+  EXPECT_EQ(segment("--crs EPSG:32632").exit_code, 2);
+  EXPECT_EQ(segment("--origin 1,2,3").exit_code, 2);
+  EXPECT_EQ(segment("--terrain --heading-deg 90").exit_code, 2);
+  EXPECT_EQ(segment("--terrain --origin 1,2").exit_code, 2);
+  EXPECT_EQ(segment("--terrain --origin 1,2,inf").exit_code, 2);
+}
+
+TEST_F(Segment, AFailedRunLeavesNoTerrain) {
+  dataset.add_sequence("00", 3);
+  fs::resize_file(dataset.scan_file("00", 2), 100);
+  EXPECT_EQ(segment("--terrain").exit_code, 1);
+  EXPECT_EQ(files_below(output()), (Names{"sequences/00/predictions/000000.label",
+                                          "sequences/00/predictions/000001.label", "timing.csv"}));
+}
+
+}  // namespace
+}  // namespace groundgrid::program
