@@ -6,7 +6,7 @@ set -euo pipefail
 packages_of() {
   case "$1" in
     build) echo g++ cmake ninja-build libeigen3-dev libtbb-dev libcli11-dev libspdlog-dev \
-                libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev libgdal-dev pkg-config ;;
+                libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev libgdal-dev libyaml-cpp-dev pkg-config ;;
     bench) echo libbenchmark-dev ;;
     lint) echo clang-format-14 clang-tidy-14 ;;
     *) echo "install_dependencies.sh: unknown group '$1' (build, bench, lint)" >&2; return 2 ;;
