@@ -1,11 +1,15 @@
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "core/point_transform.hpp"
 #include "groundgrid/config.hpp"
 
 namespace groundgrid {
 
-/// Points that are never taken: on the own vehicle, or too near to the sensor.
+/// Points that are never taken: on the own vehicle, too near to the sensor, or at its very origin,
+/// which is how drivers and organised clouds write a ray without a return.
 struct Exclusion {
   float min[3];
   float max[3];
@@ -19,7 +23,8 @@ struct Exclusion {
         max{static_cast<float>(config.own_vehicle_max_x_m),
             static_cast<float>(config.own_vehicle_max_y_m),
             static_cast<float>(config.own_vehicle_max_z_m)},
-        min_range_squared(static_cast<float>(config.min_range_m * config.min_range_m)),
+        min_range_squared(std::max(static_cast<float>(config.min_range_m * config.min_range_m),
+                                   std::numeric_limits<float>::min())),
         has_box(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]) {}
 
   [[nodiscard]] bool takes(const Point3f& in_sensor, const PointTransform& T_base_sensor) const {

@@ -67,6 +67,22 @@ TEST(Input, RecordsOfAnyLayoutGiveTheSameBits) {
   }
 }
 
+// A quarter of an organised cloud may be rays that came back to nothing, written as zeros.
+TEST(Input, PointsAtTheSensorsOriginAreNoReturns) {
+  const std::vector<DriveScan> drive = street_drive(1);
+  const DriveResult expected = run_drive(Config{}, drive);
+  std::vector<DriveScan> with_zeros = drive;
+  with_zeros[0].points.resize(with_zeros[0].points.size() + 3 * 500, 0.0F);
+  const DriveResult result = run_drive(Config{}, with_zeros);
+  const std::size_t points = drive[0].size();
+  ASSERT_EQ(result.labels.size(), points + 500);
+  for (std::size_t i = 0; i < points; ++i) ASSERT_EQ(result.labels[i], expected.labels[i]) << i;
+  for (std::size_t i = points; i < result.labels.size(); ++i) {
+    EXPECT_EQ(result.labels[i], Label::unknown);
+    EXPECT_TRUE(std::isnan(result.height_above_ground[i]));
+  }
+}
+
 TEST(Input, AnswersMayBeWrittenIntoTheCallersMemory) {
   const std::vector<DriveScan> drive = street_drive(3);
   GroundGrid own;
