@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -44,22 +45,22 @@ void TerrainOptions::add_to(CLI::App& command) {
       ->needs(origin);
 }
 
-const std::string& TerrainOptions::crs() const {
+void TerrainOptions::check() const {
+  const bool finite = std::all_of(origin_m_.begin(), origin_m_.end(),
+                                  [](double number) { return std::isfinite(number); });
+  if (!finite || !std::isfinite(heading_deg_))
+    throw UsageError("--origin and --heading-deg: expected finite numbers");
   try {
     geotiff::check_crs(crs_);
   } catch (const std::invalid_argument& error) {
     throw UsageError(fmt::format("--crs: {}", error.what()));
   }
-  return crs_;
 }
 
 Eigen::Isometry3d TerrainOptions::T_map_poses() const {
   Eigen::Isometry3d T_map_poses = Eigen::Isometry3d::Identity();
   if (origin_m_.empty()) return T_map_poses;
-  const Eigen::Vector3d origin(origin_m_[0], origin_m_[1], origin_m_[2]);
-  if (!origin.allFinite() || !std::isfinite(heading_deg_))
-    throw UsageError("--origin and --heading-deg: expected finite numbers");
-  T_map_poses.translation() = origin;
+  T_map_poses.translation() = Eigen::Vector3d(origin_m_[0], origin_m_[1], origin_m_[2]);
   T_map_poses.linear() =
       Eigen::AngleAxisd(heading_deg_ * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();

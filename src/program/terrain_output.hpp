@@ -18,11 +18,13 @@ class TerrainOptions {
  public:
   void add_to(CLI::App& command);
 
+  /// Throws UsageError where a number is not finite or the CRS cannot be that of a terrain.
+  void check() const;
+
   [[nodiscard]] bool wanted() const { return wanted_; }
-  /// Empty for a local frame. Throws UsageError where it cannot be that of a terrain.
-  [[nodiscard]] const std::string& crs() const;
-  /// Where the frame of the poses lies in that of the terrain. Throws UsageError where a number is
-  /// not finite.
+  /// Empty for a local frame.
+  [[nodiscard]] const std::string& crs() const { return crs_; }
+  /// Where the frame of the poses lies in that of the terrain.
   [[nodiscard]] Eigen::Isometry3d T_map_poses() const;
 
  private:

@@ -1,0 +1,75 @@
+#include "program/sequence_run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <string>
+#include <utility>
+
+#include "io/error.hpp"
+#include "program/interrupt.hpp"
+#include "program/scan_pipeline.hpp"
+
+namespace groundgrid::program {
+
+SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequence,
+                         std::optional<io::ScanPoses> poses)
+    : context_(context),
+      sequence_(sequence),
+      record_(context.record.sequences.emplace_back(
+          SequenceRecord{.name = sequence.name, .folder = sequence.folder})),
+      runner_(context.record.config, std::move(poses),
+              {.R_level_lidar = context.options.input.R_level_lidar(),
+               .T_map_poses = context.options.terrain.T_map_poses()}),
+      writer_(context.options.output, sequence, cloud_output_named(context.options.clouds)) {
+  if (context.options.terrain.wanted())
+    terrain_.emplace(context.options.output, sequence, context.record.single_scan,
+                     context.options.terrain.crs());
+}
+
+void SequenceRun::run() {
+  const PipelineSteps steps{
+      .read = [this](const io::ScanFile& scan, ScanSlot& slot) { runner_.read(scan, slot); },
+      .process = [this](const io::ScanFile& scan, ScanSlot& slot) { return process(scan, slot); },
+      .write = [this](const io::ScanFile& scan, ScanSlot& slot) { writer_.write(scan, slot); },
+      .done = [this](const io::ScanFile& scan, ScanSlot& slot) { note_done(scan, slot); }};
+  ScanPipeline().run(sequence_.scans, steps);
+  if (terrain_ && record_.scans > 0) {
+    terrain_->finish();
+    record_.terrain = terrain_->place();
+  }
+  record_.notes = runner_.notes();
+  announce();
+}
+
+// False where the scan is bad and to be passed over. Failing to write is never passed over.
+bool SequenceRun::process(const io::ScanFile& scan, ScanSlot& slot) {
+  check_interrupt();
+  try {
+    runner_.process(scan, slot);
+  } catch (const io::Error& error) {
+    if (!context_.options.keep_going) throw;
+    spdlog::warn("skipped: {}", error.what());
+    record_.skipped.push_back({scan.path, error.what()});
+    context_.progress.advance();
+    return false;
+  }
+  if (terrain_) terrain_->add(scan, runner_.terrain());
+  return true;
+}
+
+void SequenceRun::note_done(const io::ScanFile& scan, const ScanSlot& slot) {
+  ++record_.scans;
+  record_.counts.add(slot.counts);
+  context_.timing.add({record_.name, scan.name, slot.size(), slot.milliseconds});
+  context_.progress.advance();
+}
+
+void SequenceRun::announce() const {
+  const std::string name = record_.name.empty() ? "" : fmt::format("sequence {}: ", record_.name);
+  const std::string height = record_.scans > 0 ? ", " + record_.notes.sensor_words() : "";
+  spdlog::info("{}segmented {} of {} scans{}", name, record_.scans,
+               record_.scans + record_.skipped.size(), height);
+}
+
+}  // namespace groundgrid::program
