@@ -7,9 +7,11 @@ DATA ?=
 # More for every configure step, e.g. CMAKE_FLAGS=-DGROUNDGRID_WERROR=ON
 CMAKE_FLAGS ?=
 JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 60
 
-.PHONY: help test demo reproduce bench asan tsan format check-format tidy clean
+.PHONY: help test demo reproduce bench asan tsan coverage fuzz format check-format tidy clean
 .PHONY: build-dependencies lint-dependencies bench-dependencies
+.PHONY: coverage-dependencies fuzz-dependencies
 
 help: ## List the targets
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /|/' | \
@@ -48,6 +50,16 @@ asan tsan: build-dependencies
 asan: ## The tests under AddressSanitizer and UndefinedBehaviorSanitizer
 tsan: ## The tests under ThreadSanitizer
 
+coverage: coverage-dependencies ## Run the tests and report the lines and branches that they reach
+	cmake --preset coverage $(CMAKE_FLAGS)
+	cmake --build --preset coverage --parallel $(JOBS)
+	scripts/coverage.sh
+
+fuzz: fuzz-dependencies ## Fuzz every reader and the core, FUZZ_SECONDS=60 each
+	cmake --preset fuzz $(CMAKE_FLAGS)
+	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz_targets
+	scripts/fuzz.sh $(FUZZ_SECONDS)
+
 format: lint-dependencies ## Format all sources with clang-format 14
 	@scripts/sources.sh | xargs clang-format-14 -i
 
@@ -69,3 +81,9 @@ lint-dependencies:
 
 bench-dependencies:
 	@scripts/install_dependencies.sh build bench
+
+coverage-dependencies:
+	@scripts/install_dependencies.sh build coverage
+
+fuzz-dependencies:
+	@scripts/install_dependencies.sh build fuzz

@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing for the groups given: build, bench, lint.
-# Where none is missing apt is not called at all.
+# Installs the Debian packages that are missing for the groups given: build, bench, coverage, fuzz,
+# lint. Where none is missing apt is not called at all.
 set -euo pipefail
 
 packages_of() {
   case "$1" in
     build) echo g++ cmake ninja-build libeigen3-dev libtbb-dev libcli11-dev libspdlog-dev \
-                libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev libgdal-dev libyaml-cpp-dev pkg-config ;;
+                libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev \
+                libgdal-dev libyaml-cpp-dev pkg-config ;;
     bench) echo libbenchmark-dev ;;
+    coverage) echo gcovr ;;
+    fuzz) echo clang-14 libclang-rt-14-dev ;;
     lint) echo clang-format-14 clang-tidy-14 ;;
-    *) echo "install_dependencies.sh: unknown group '$1' (build, bench, lint)" >&2; return 2 ;;
+    *) echo "install_dependencies.sh: unknown group '$1'" >&2; return 2 ;;
   esac
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -51,13 +52,21 @@ std::string InputFile::peek(std::size_t bytes) {
   std::string text(static_cast<std::size_t>(std::min<std::uintmax_t>(bytes, remaining())), '\0');
   const std::uintmax_t begin = position_;
   read(text.data(), text.size());
-  position_ = begin;
-  skip(0);
+  seek(begin);
   return text;
 }
 
 void InputFile::skip(std::uintmax_t bytes) {
-  position_ += bytes;
+  // A few bytes are read, since every seek asks the system.
+  std::array<char, 256> few{};
+  if (bytes <= few.size())
+    read(few.data(), static_cast<std::size_t>(bytes));
+  else
+    seek(position_ + bytes);
+}
+
+void InputFile::seek(std::uintmax_t position) {
+  position_ = position;
   if (::fseeko(file_.get(), static_cast<off_t>(position_), SEEK_SET) != 0)
     throw Error({.file = path_, .expected = "a readable file", .got = system_message(errno)});
 }

@@ -68,6 +68,7 @@ class InputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  void seek(std::uintmax_t position);
   [[noreturn]] void fail_too_large() const;
 
   std::filesystem::path path_;

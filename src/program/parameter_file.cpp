@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -22,6 +23,7 @@ constexpr std::size_t kMaxFileBytes = 65536;
 constexpr std::size_t kMaxLineBytes = 500;
 constexpr std::size_t kMaxShownBytes = 60;
 constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(kBlanks);
@@ -62,8 +64,13 @@ std::string sentence_of(const toml::exception& error) {
 }
 
 toml::table table_in(std::string_view line, const std::string& place) {
+  // toml11 3.7 reads beyond its buffer where a string is not UTF-8. No parameter needs more than
+  // ASCII, and what stands in comments does not matter.
+  std::string ascii(line);
+  std::replace_if(
+      ascii.begin(), ascii.end(), [](char c) { return (c & 0x80) != 0; }, '?');
   try {
-    std::istringstream text{std::string(line)};
+    std::istringstream text(ascii);
     return toml::parse(text).as_table();
   } catch (const toml::exception& error) {
     fail_value(line, place, sentence_of(error));
@@ -118,9 +125,11 @@ std::string read_short_text(const std::string& path) {
 // or bracket left open cannot take the lines after it.
 std::vector<FileParameter> read_parameter_file(const std::string& path) {
   const std::string text = read_short_text(path);
+  std::string_view lines = text;
+  if (lines.starts_with(kByteOrderMark)) lines.remove_prefix(kByteOrderMark.size());
   std::vector<FileParameter> parameters;
   std::size_t number = 0;
-  for (const std::string_view line : io::split_lines(text)) {
+  for (const std::string_view line : io::split_lines(lines)) {
     ++number;
     auto parameter = parameter_in(trimmed(line), fmt::format("{}, line {}", path, number));
     if (parameter) parameters.push_back(std::move(*parameter));

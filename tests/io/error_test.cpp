@@ -21,5 +21,16 @@ TEST(Error, LeavesOutWhatIsNotKnown) {
                "x, byte 16: expected more, got less");
 }
 
+TEST(ErrorText, ShowsWhatIsPrintableOfAFile) {
+  EXPECT_EQ(in_quotes("DATA zipped"), "'DATA zipped'");
+  EXPECT_EQ(in_quotes(std::string_view("\x00\x1f\x7f\xc3\xa4~ ", 7)), "'?????~ '");
+  EXPECT_EQ(in_quotes(""), "''");
+}
+
+TEST(ErrorText, CutsWhatIsLong) {
+  EXPECT_EQ(in_quotes(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
+  EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
 }  // namespace
 }  // namespace groundgrid::io

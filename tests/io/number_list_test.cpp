@@ -39,6 +39,19 @@ TEST(NumberList, RejectsWhatIsNoRotation) {
   EXPECT_FALSE(rigid_transform(infinite));
 }
 
+TEST(NumberList, TakesWholeNumbersOnly) {
+  EXPECT_EQ(parse_whole_number("0"), 0U);
+  EXPECT_EQ(parse_whole_number("000042"), 42U);
+  EXPECT_EQ(parse_whole_number("18446744073709551615"), std::numeric_limits<std::size_t>::max());
+  for (const char* const text : {"", "-1", "+1", " 1", "1 ", "1.0", "x", "18446744073709551616"})
+    EXPECT_FALSE(parse_whole_number(text)) << text;
+}
+
+TEST(NumberList, SplitsWords) {
+  EXPECT_EQ(split_words("  FIELDS x\t\ty \r"), (std::vector<std::string_view>{"FIELDS", "x", "y"}));
+  EXPECT_TRUE(split_words(" \t").empty());
+}
+
 TEST(NumberList, SplitsLinesOfBothKinds) {
   EXPECT_EQ(split_lines("a\r\n\nb"), (std::vector<std::string_view>{"a", "", "b"}));
   EXPECT_EQ(split_lines("a\n"), (std::vector<std::string_view>{"a"}));

@@ -67,7 +67,16 @@ INSTANTIATE_TEST_SUITE_P(Values, BadValue,
                          ::testing::Values("[120", "[120]", "120]", "[1, 2]", "[", "{a = 1", "",
                                            "# 3", "120 130", "1, 2", "\"120", "120\"", "'120\"",
                                            "\"\"\"120", "\"1\" \"2\"", "=120", "on", "1.", ".5",
-                                           "01", "\"\\q\"", "\"\xFF\"", "2026-11-22", "12:00:00"));
+                                           "01", "\"\\q\"", "2026-11-22", "12:00:00"));
+
+// toml11 alone would read beyond its buffer where text is not UTF-8.
+TEST(ParameterFile, SeesNoOtherLettersThanThoseOfAscii) {
+  const auto given = read("\xEF\xBB\xBF'\xDC\xDC' = \"\xFF\" # m\xC2\xB2, \xFF\nb = 1\n");
+  ASSERT_EQ(given.size(), 2U);
+  EXPECT_EQ(given[0].name, "??");
+  EXPECT_EQ(given[0].value, "?");
+  EXPECT_EQ(given[1].name, "b");
+}
 
 TEST(ParameterFile, SaysWhyAValueIsNone) {
   EXPECT_TRUE(message_for("cell_size_m = .5\n")

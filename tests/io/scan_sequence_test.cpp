@@ -91,7 +91,9 @@ TEST_F(Dataset, TakesScansOfEveryFormat) {
 }
 
 TEST_F(Dataset, TakesTheFormatAskedForWhateverTheEnding) {
-  for (const ScanFile& scan : find_sequences(folder.path(), {}, ScanFormat::nuscenes).front().scans)
+  const auto sequences = find_sequences(folder.path(), {}, ScanFormat::nuscenes);
+  ASSERT_EQ(sequences.front().scans.size(), 3U);
+  for (const ScanFile& scan : sequences.front().scans)
     EXPECT_EQ(scan.format, ScanFormat::nuscenes) << scan.name;
 }
 
