@@ -5,19 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
-namespace groundgrid::fuzz {
+#include "require.hpp"
 
-/// Ends the process, so that the fuzzer keeps the input, where something that must hold does not.
-inline void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
+namespace groundgrid::fuzz {
 
 /// A file in memory with these bytes and a path that readers take as that of any regular file.
 class MemoryFile {
