@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "io/bin_scan.hpp"
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
+#include "support/kitti_points.hpp"
 #include "support/ray_caster.hpp"
 
 namespace groundgrid::benchmarks {
@@ -33,7 +33,7 @@ Drive read_drive(const fs::path& folder) {
   for (const io::ScanFile& file : sequence.scans) {
     if (drive.scans.size() == kScans) break;
     TimedScan& scan = drive.scans.emplace_back();
-    io::read_bin_scan(file.path, scan.points);
+    scan.points = testing::kitti_points(file.path);
     scan.T_map_lidar = poses.pose(file);
   }
   return drive;

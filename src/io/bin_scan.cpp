@@ -16,7 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "scans are read as they lie on disk");
 
-constexpr std::size_t kKittiBytes = kBinFloatsPerPoint * sizeof(float);
+constexpr std::size_t kKittiBytes = 4 * sizeof(float);
 constexpr std::size_t kNuscenesBytes = 5 * sizeof(float);
 
 std::string remedy_for_size(std::uintmax_t bytes, ScanFormat format) {
@@ -70,12 +70,6 @@ void read_floats(const std::filesystem::path& path, ScanFormat format, PointClou
 }
 
 }  // namespace
-
-void read_bin_scan(const std::filesystem::path& path, std::vector<float>& points) {
-  InputFile file(path);
-  require_whole_points(file, ScanFormat::kitti);
-  file.read_into(points, static_cast<std::size_t>(file.size()) / sizeof(float));
-}
 
 void read_kitti_scan(const std::filesystem::path& path, PointCloud& cloud) {
   read_floats(path, ScanFormat::kitti, cloud);

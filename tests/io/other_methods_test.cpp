@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "evaluation/segmentation_metrics.hpp"
-#include "io/bin_scan.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "shared_data.hpp"
+#include "support/kitti_points.hpp"
 
 namespace groundgrid::evaluation {
 namespace {
@@ -34,15 +34,14 @@ TEST_P(OtherMethods, HaveTheFiguresCountedIndependently) {
   const auto predictions =
       data() / "predictions" / counted.method / "sequences" / counted.sequence / "predictions";
   SegmentationMetrics metrics;
-  std::vector<float> points;
   std::vector<std::uint32_t> truth;
   std::vector<std::uint32_t> predicted;
   for (const io::ScanFile& scan : sequence.scans) {
-    io::read_bin_scan(scan.path, points);
-    const std::size_t count = points.size() / io::kBinFloatsPerPoint;
+    const std::vector<float> points = testing::kitti_points(scan.path);
+    const std::size_t count = points.size() / 4;
     io::read_labels(sequence.labels() / (scan.name + ".label"), scan.path, count, truth);
     io::read_labels(predictions / (scan.name + ".label"), scan.path, count, predicted);
-    metrics.add_scan(points, io::kBinFloatsPerPoint, truth, predicted);
+    metrics.add_scan(points, 4, truth, predicted);
   }
   EXPECT_EQ(metrics.total().answered, counted.confusion);
   EXPECT_EQ(metrics.total().unanswered(), 0U);

@@ -8,11 +8,11 @@
 
 #include "evaluation/segmentation_metrics.hpp"
 #include "evaluation/semantic_kitti_classes.hpp"
-#include "io/bin_scan.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "run_program.hpp"
 #include "shared_data.hpp"
+#include "support/kitti_points.hpp"
 
 namespace groundgrid {
 namespace {
@@ -188,14 +188,13 @@ class SemanticKittiApiOnRealScans : public test::WithSharedData {
   static void add_all(const fs::path& predictions, SemanticKittiApi& as_written,
                       SemanticKittiApi& after_remapping) {
     const LearningMap map = remapping();
-    std::vector<float> points;
     std::vector<std::uint32_t> truth;
     std::vector<std::uint32_t> predicted;
     for (const io::ScanSequence& sequence : io::find_sequences(data() / "semantickitti"))
       for (const io::ScanFile& scan : sequence.scans) {
-        io::read_bin_scan(scan.path, points);
+        const std::vector<float> points = testing::kitti_points(scan.path);
         const std::string name = scan.name + ".label";
-        const std::size_t count = points.size() / io::kBinFloatsPerPoint;
+        const std::size_t count = points.size() / 4;
         io::read_labels(sequence.labels() / name, scan.path, count, truth);
         io::read_labels(predictions / "sequences" / sequence.name / "predictions" / name, scan.path,
                         count, predicted);

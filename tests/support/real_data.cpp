@@ -2,10 +2,10 @@
 
 #include <cstdlib>
 
-#include "io/bin_scan.hpp"
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "support/kitti_points.hpp"
 
 namespace groundgrid::testing {
 namespace {
@@ -40,7 +40,7 @@ std::vector<RealScan> read_scans(const fs::path& dataset, const std::string& seq
   for (const io::ScanFile& file : sequence.scans) {
     if (scans.size() == limit) break;
     RealScan& scan = scans.emplace_back();
-    io::read_bin_scan(file.path, scan.points);
+    scan.points = kitti_points(file.path);
     io::read_labels(sequence.labels() / (file.name + ".label"), file.path, scan.size(),
                     scan.labels);
     scan.T_map_lidar = poses.pose(file);
