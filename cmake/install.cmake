@@ -1,5 +1,5 @@
 # What `cmake --install` gives: headers, library, CMake package, pkg-config file and, where it is
-# built, the program. All paths inside are relative, so that the tree may be moved.
+# built, the program and what it shares. All paths inside are relative, so that the tree may be moved.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -49,4 +49,6 @@ if(TARGET groundgrid_executable)
   set_target_properties(groundgrid_executable PROPERTIES
     INSTALL_RPATH "$ORIGIN/${program_to_library}")
   install(TARGETS groundgrid_executable RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/share/semantic-kitti-api
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/groundgrid)
 endif()

@@ -57,10 +57,11 @@ void check_input(std::span<const SensorScan> scans, const Motion& motion, const 
     if (scan.T_base_sensor) check_pose(scan.T_base_sensor->isometry(), "T_base_sensor");
     if (motion.within_scan && scan.points.time_offset && !(scan.time_end > scan.time_begin))
       throw std::invalid_argument("SensorScan: time_end must be later than time_begin");
+    // Not the sum of all: counts of any size could wrap round to a small one.
+    if (scan.points.count > kMaxPoints - points)
+      throw std::invalid_argument("more than 4194304 points in one call; hand them over in parts");
     points += scan.points.count;
   }
-  if (points > kMaxPoints)
-    throw std::invalid_argument("more than 4194304 points in one call; hand them over in parts");
 }
 
 }  // namespace groundgrid

@@ -97,6 +97,7 @@ SensorScan any_scan(InputBytes& bytes, const std::vector<Record>& cloud) {
   scan.points.count = cloud.size();
   scan.points.stride_bytes = sizeof(Record);
   const unsigned flaw = bytes.below(32);
+  if (flaw == 3) scan.points.count = bytes.take<std::uint64_t>() | (std::uint64_t{1} << 40U);
   if (flaw == 0) scan.points.z_offset = bytes.take<std::uint64_t>();
   if (flaw == 1) scan.points.data = nullptr;
   if (flaw == 2) scan.points.stride_bytes = bytes.below(sizeof(Record));

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # install_test.sh NAME: one test of what is installed; the functions below are the tests.
 # Takes SOURCE (the repository), BUILD (a finished build), WORK (a folder to use), CMAKE, CXX and
-# WERROR (-Werror or nothing) from the environment.
+# WERROR (-Werror or nothing) from the environment. What is built here is not optimised: it is the
+# linking that is tested.
 set -euo pipefail
 
 readonly tree=$WORK/moved
@@ -33,7 +34,7 @@ build_example() {
   local example=$1 prefix=$2 build=$WORK/$3
   rm -rf "$build"
   "$CMAKE" -S "$SOURCE/examples/$example" -B "$build" -DCMAKE_CXX_COMPILER="$CXX" \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS="$warnings" -DCMAKE_PREFIX_PATH="$prefix"
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS="$warnings" -DCMAKE_PREFIX_PATH="$prefix"
   expect "$(cat "$build/CMakeCache.txt")" "^groundgrid_DIR:PATH=$prefix/"
   "$CMAKE" --build "$build"
 }
@@ -87,7 +88,7 @@ examples() {
 pkg_config() {
   local how
   for how in "" --static; do
-    "$CXX" "$SOURCE/examples/01_single_scan/main.cpp" -o "$WORK/by_pkg_config" -O2 \
+    "$CXX" "$SOURCE/examples/01_single_scan/main.cpp" -o "$WORK/by_pkg_config" \
       $(pkg-config --cflags --libs $how groundgrid)
     expect_single_scan "$("$WORK/by_pkg_config")"
   done
@@ -95,9 +96,10 @@ pkg_config() {
 
 program() {
   expect "$("$tree/bin/groundgrid" --version)" '^[0-9]+\.[0-9]+\.[0-9]+$'
+  [[ -e $tree/share/groundgrid/semantic-kitti-api/ground.yaml ]] || fail "no semantic-kitti-api"
 }
 
-# The library alone, without optimisation: it is the linking that is tested.
+# The library alone.
 shared_library() {
   local build=$WORK/shared_build prefix=$WORK/shared symbols
   "$CMAKE" -S "$SOURCE" -B "$build" -DCMAKE_CXX_COMPILER="$CXX" -DCMAKE_BUILD_TYPE=Debug \

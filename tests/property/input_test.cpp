@@ -178,6 +178,13 @@ TEST_F(RejectedInput, TooManyPoints) {
   expect_rejected(scan, drive_[1].T_map_base);
 }
 
+TEST_F(RejectedInput, CountsWhoseSumWrapsRoundToZero) {
+  std::vector<SensorScan> scans(2, drive_[1].scan());
+  for (SensorScan& scan : scans)
+    scan.points.count = std::numeric_limits<std::size_t>::max() / 2 + 1;
+  EXPECT_THROW(grid_.process(scans, drive_[1].T_map_base), std::invalid_argument);
+}
+
 TEST_F(RejectedInput, ScansOnAWayLongerThanAJump) {
   const SensorScan scan = drive_[1].scan();
   Eigen::Isometry3d begin = drive_[1].T_map_base;
