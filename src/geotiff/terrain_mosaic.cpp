@@ -76,6 +76,7 @@ class TerrainMosaic::Tiles {
 
   void add(const TerrainView& view);
   void finish() const;
+  [[nodiscard]] bool empty() const { return known_.empty(); }
   [[nodiscard]] std::size_t resident_bytes() const { return store_.resident_bytes(); }
 
  private:
@@ -150,7 +151,7 @@ bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
 }
 
 void TerrainMosaic::Tiles::finish() const {
-  if (known_.empty()) fail_without_terrain(path_);
+  if (empty()) fail_without_terrain(path_);
   TerrainFile file(path_,
                    {origin_x_m_ + static_cast<double>(known_.first_column) * cell_size_m_,
                     origin_y_m_ + static_cast<double>(known_.first_row) * cell_size_m_,
@@ -175,6 +176,7 @@ TerrainMosaic& TerrainMosaic::operator=(TerrainMosaic&&) noexcept = default;
 
 void TerrainMosaic::add(const TerrainView& terrain) { tiles_->add(terrain); }
 void TerrainMosaic::finish() { tiles_->finish(); }
+bool TerrainMosaic::empty() const { return tiles_->empty(); }
 std::size_t TerrainMosaic::resident_bytes() const { return tiles_->resident_bytes(); }
 
 }  // namespace groundgrid::geotiff

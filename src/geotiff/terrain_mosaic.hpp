@@ -44,6 +44,9 @@ class TerrainMosaic {
   /// the drive spans more than a raster can hold. The mosaic stays as it is and may grow further.
   void finish();
 
+  /// Whether no cell of any scan added had a confidence above 0, so that finish() throws.
+  [[nodiscard]] bool empty() const;
+
   /// Bytes of the tiles that are in memory now.
   [[nodiscard]] std::size_t resident_bytes() const;
 

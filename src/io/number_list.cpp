@@ -6,17 +6,24 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "io/text.hpp"
+
 namespace groundgrid::io {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr double kRigidTolerance = 1e-3;
 
 }  // namespace
 
+std::string_view without_plus(std::string_view number) {
+  if (number.size() > 1 && number[0] == '+' && number[1] != '-') number.remove_prefix(1);
+  return number;
+}
+
 std::optional<std::vector<double>> parse_numbers(std::string_view line) {
   std::vector<double> numbers;
-  for (const std::string_view word : split_words(line)) {
+  for (std::string_view word : split_words(line)) {
+    word = without_plus(word);
     double number = 0.0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
@@ -35,12 +42,8 @@ std::optional<std::size_t> parse_whole_number(std::string_view text) {
 
 std::vector<std::string_view> split_words(std::string_view line) {
   std::vector<std::string_view> words;
-  for (auto begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;
-       begin = line.find_first_not_of(kBlanks)) {
-    line.remove_prefix(begin);
-    words.push_back(line.substr(0, line.find_first_of(kBlanks)));
-    line.remove_prefix(words.back().size());
-  }
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line))
+    words.push_back(word);
   return words;
 }
 
@@ -69,6 +72,8 @@ Eigen::Isometry3d parse_rigid_transform(std::string_view line) {
 }
 
 std::vector<std::string_view> split_lines(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     const auto end = text.find('\n');

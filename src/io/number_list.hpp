@@ -10,6 +10,9 @@
 
 namespace groundgrid::io {
 
+/// A number as std::from_chars takes it: without the '+' that may stand before it.
+std::string_view without_plus(std::string_view number);
+
 /// The numbers in a line of text, separated by blanks and read the same in every locale; nothing
 /// where a word is no number.
 std::optional<std::vector<double>> parse_numbers(std::string_view line);
@@ -30,7 +33,8 @@ std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows);
 /// place of the twelve numbers of a rigid transform ("11 numbers").
 Eigen::Isometry3d parse_rigid_transform(std::string_view line);
 
-/// The lines of a text, without line ends of either kind.
+/// The lines of a text, without line ends of either kind and without the byte order mark that some
+/// editors write before UTF-8.
 std::vector<std::string_view> split_lines(std::string_view text);
 
 }  // namespace groundgrid::io

@@ -11,12 +11,28 @@
 
 #include "io/atomic_file.hpp"
 #include "io/binary_records.hpp"
+#include "io/error.hpp"
 #include "io/text_records.hpp"
 
 namespace groundgrid::io {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "points are written as they lie");
+
+// Each takes a line in the header and a PointField in memory.
+constexpr std::size_t kMostProperties = 4096;
+
+void require_few_properties(const std::filesystem::path& path, const PointCloud& cloud) {
+  std::size_t properties = 0;
+  for (const PointField& field : cloud.fields) properties += field.count;
+  if (properties <= kMostProperties) return;
+  throw Error({.file = path,
+               .expected = fmt::format("at most {} numbers a point, which PLY holds as so many "
+                                       "properties",
+                                       kMostProperties),
+               .got = fmt::format("{}", properties),
+               .remedy = "write them with --clouds pcd"});
+}
 
 bool is_wide_integer(FieldType type) {
   return type == FieldType::int64 || type == FieldType::uint64;
@@ -85,6 +101,7 @@ std::string header(const PointCloud& cloud) {
 }  // namespace
 
 void write_ply(const std::filesystem::path& path, const PointCloud& cloud) {
+  require_few_properties(path, cloud);
   AtomicFile file(path);
   PointCloud vertices = with_single_numbers(cloud);
   make_doubles(vertices);

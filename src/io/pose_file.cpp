@@ -13,6 +13,7 @@
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
+#include "io/text.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -25,12 +26,9 @@ struct Line {
   std::string_view text;
 };
 
-bool is_blank(std::string_view line) { return split_words(line).empty(); }
+bool is_blank(std::string_view line) { return trimmed(line).empty(); }
 
-bool is_comment(std::string_view line) {
-  const auto begin = line.find_first_not_of(" \t");
-  return begin != std::string_view::npos && line[begin] == '#';
-}
+bool is_comment(std::string_view line) { return trimmed(line).starts_with('#'); }
 
 // Blank lines at the end are none, but one in the midst may stand for a pose that was lost.
 std::vector<Line> lines_of(std::string_view text) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "io/text.hpp"
+
 namespace groundgrid::io {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr std::array<NamedFormat, 4> kFormats{{{ScanFormat::nuscenes, "nuscenes"
 const NamedFormat* format_of(const std::string& file_name) {
   if (file_name.empty() || file_name.front() == '.') return nullptr;
   for (const NamedFormat& format : kFormats)
-    if (file_name.ends_with(format.ending)) return &format;
+    if (ends_with_in_any_case(file_name, format.ending)) return &format;
   return nullptr;
 }
 

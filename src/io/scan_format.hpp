@@ -22,8 +22,8 @@ std::string_view name_of(ScanFormat format);
 /// The format of that name, as --format takes it; nothing for another word.
 std::optional<ScanFormat> scan_format_named(std::string_view name);
 
-/// What the ending of a file's name says (.pcd.bin before .bin); nothing for hidden files and
-/// other endings.
+/// What the ending of a file's name says (.pcd.bin before .bin, and .BIN as .bin); nothing for
+/// hidden files and other endings.
 std::optional<ScanFormat> format_by_name(const std::filesystem::path& path);
 
 /// A file's name without the ending of its format: "1532402927647951" of

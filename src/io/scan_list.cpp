@@ -8,21 +8,13 @@
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
+#include "io/text.hpp"
 
 namespace groundgrid::io {
-namespace {
-
-std::string_view trimmed(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\r\v\f";
-  const auto begin = line.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  return line.substr(begin, line.find_last_not_of(kBlanks) - begin + 1);
-}
-
-}  // namespace
 
 bool is_scan_list(const std::filesystem::path& path) {
-  return path.extension() == ".txt" || path.extension() == ".lst";
+  const std::string ending = path.extension().string();
+  return ends_with_in_any_case(ending, ".txt") || ends_with_in_any_case(ending, ".lst");
 }
 
 std::vector<ListedFile> read_scan_list(const std::filesystem::path& path) {

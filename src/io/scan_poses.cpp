@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "io/calibration.hpp"
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -49,8 +49,7 @@ ScanPoses ScanPoses::from_file(const std::filesystem::path& poses, const ScanSeq
                                const std::optional<std::filesystem::path>& calibration) {
   ScanPoses result(poses, read_pose_file(poses));
   if (calibration) result.turn_into_lidar_poses(*calibration);
-  std::error_code ignored;
-  if (!result.list_.times.empty() && std::filesystem::exists(sequence.times(), ignored)) {
+  if (!result.list_.times.empty() && is_there(sequence.times())) {
     result.times_path_ = sequence.times();
     result.scan_times_ = read_scan_times(result.times_path_);
     result.line_ = matching_line(result.times_path_, result.scan_times_.size(), sequence);
@@ -61,6 +60,10 @@ ScanPoses ScanPoses::from_file(const std::filesystem::path& poses, const ScanSeq
 }
 
 std::size_t ScanPoses::size() const { return list_.poses.size(); }
+
+Eigen::Isometry3d ScanPoses::first() const {
+  return list_.poses.empty() ? Eigen::Isometry3d::Identity() : list_.poses.front();
+}
 
 Eigen::Isometry3d ScanPoses::pose(const ScanFile& scan) const {
   if (!scan_times_.empty()) return pose_at_scan_time(scan);

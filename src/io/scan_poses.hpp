@@ -38,6 +38,9 @@ class ScanPoses {
   /// Poses that the file holds.
   [[nodiscard]] std::size_t size() const;
 
+  /// The pose in the first line; the identity where there is none.
+  [[nodiscard]] Eigen::Isometry3d first() const;
+
   /// T_map_lidar at a scan of the sequence. Throws Error, with the file and the line that is
   /// missing, where there is none.
   [[nodiscard]] Eigen::Isometry3d pose(const ScanFile& scan) const;

@@ -10,6 +10,7 @@
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
+#include "io/path_checks.hpp"
 #include "io/scan_list.hpp"
 
 namespace groundgrid::io {
@@ -20,12 +21,10 @@ namespace fs = std::filesystem;
 using ForcedFormat = std::optional<ScanFormat>;
 
 [[noreturn]] void fail_unreadable(const fs::path& folder, const std::error_code& error) {
-  throw Error({.file = folder, .expected = "a readable folder", .got = error.message()});
-}
-
-bool is_folder(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored);
+  throw Error({.file = folder,
+               .expected = "a readable folder",
+               .got = error.message(),
+               .remedy = "check its rights and, where it is a link, whereto it leads"});
 }
 
 std::vector<fs::path> entries_of(const fs::path& folder) {
@@ -39,12 +38,12 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return paths;
 }
 
+// An entry that turns out to be no file is left to reading, which a run may pass over.
 std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
   std::vector<ScanFile> scans;
   for (const fs::path& path : entries_of(folder)) {
     const ForcedFormat named = format_by_name(path);
     if (!named) continue;
-    require_regular_file(path);
     scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
   }
   if (scans.empty())
@@ -58,7 +57,9 @@ std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
 // The last part of a path, also where it is written as "." or "00/". Links are not followed: a
 // sequence has the name it has in the dataset.
 std::string folder_name(const fs::path& folder) {
-  const fs::path whole = fs::absolute(folder).lexically_normal();
+  std::error_code error;
+  const fs::path whole = fs::absolute(folder, error).lexically_normal();
+  if (error) fail_unreadable(folder, error);
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
@@ -213,10 +214,11 @@ void require_existing(const fs::path& input) {
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
   if (fs::exists(status)) return;
-  throw Error({.file = input,
-               .expected = "a dataset, a folder of scans, a scan or a list of scans",
-               .got = status.type() == fs::file_type::not_found ? "nothing of that name"
-                                                                : error.message()});
+  throw Error(
+      {.file = input,
+       .expected = "a dataset, a folder of scans, a scan or a list of scans",
+       .got = status.type() == fs::file_type::not_found ? "nothing of that name" : error.message(),
+       .remedy = "check the path and, where it is a link, whereto it leads"});
 }
 
 }  // namespace

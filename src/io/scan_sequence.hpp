@@ -46,9 +46,11 @@ struct ScanSequence {
 ///    of the list. Blank lines and those that begin with '#' do not count.
 /// With `names`, only those sequences, in that order ("0" finds "00"). The format of each scan is
 /// that of its name; with `format` it is that one, for every file with the ending of any format and
-/// for one that is given by its name, whatever its ending. Throws Error where there is nothing, a
-/// sequence of that name or a file of a list is missing, a scan is no regular file, a scan of a
-/// dataset has no number, or two scans have the same name or, in a dataset, number.
+/// for one that is given by its name, whatever its ending. An entry of a folder counts by its name
+/// alone: reading it says where it is no file. Throws Error where there is nothing, a folder cannot
+/// be read, a sequence of that name is missing, `input` itself or a path in a list is that of no
+/// regular file, a scan of a dataset has no number, or two scans have the same name or, in a
+/// dataset, number.
 std::vector<ScanSequence> find_sequences(const std::filesystem::path& input,
                                          std::span<const std::string> names = {},
                                          std::optional<ScanFormat> format = {});

@@ -14,25 +14,11 @@
 
 #include "io/error.hpp"
 #include "io/field_number.hpp"
+#include "io/number_list.hpp"
+#include "io/text.hpp"
 
 namespace groundgrid::io {
 namespace {
-
-bool is_blank(char letter) {
-  return letter == ' ' || letter == '\t' || letter == '\r' || letter == '\v' || letter == '\f';
-}
-
-// Takes the next word off a line; empty at its end. Written out, since it sees every byte of the
-// file and find_first_of takes twice as long.
-std::string_view take_word(std::string_view& line) {
-  std::size_t begin = 0;
-  while (begin < line.size() && is_blank(line[begin])) ++begin;
-  std::size_t end = begin;
-  while (end < line.size() && !is_blank(line[end])) ++end;
-  const std::string_view word = line.substr(begin, end - begin);
-  line.remove_prefix(end);
-  return word;
-}
 
 template <typename Number>
 std::errc parse_whole(std::string_view word, Number& number) {
@@ -77,8 +63,8 @@ bool parse_to(std::string_view word, std::byte* place) {
 }
 
 bool parse_to(FieldType type, std::string_view word, std::byte* place) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  return with_number(type, [&](auto zero) { return parse_to<decltype(zero)>(word, place); });
+  const std::string_view number = without_plus(word);
+  return with_number(type, [&](auto zero) { return parse_to<decltype(zero)>(number, place); });
 }
 
 template <typename Number>
@@ -109,7 +95,7 @@ std::string_view TextRecords::next_line() {
     const std::string_view line = rest_.substr(0, rest_.find('\n'));
     rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
     ++line_;
-    if (!std::all_of(line.begin(), line.end(), is_blank)) return line;
+    if (!trimmed(line).empty()) return line;
   }
   return {};
 }

@@ -8,20 +8,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "evaluation/report.hpp"
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "program/input_options.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
+#include "program/label_file.hpp"
+#include "program/median.hpp"
 #include "program/method_options.hpp"
 #include "program/method_runner.hpp"
 #include "program/progress_bar.hpp"
-#include "program/scan_pipeline.hpp"
 #include "program/scan_reading.hpp"
 #include "program/standard_output.hpp"
 #include "program/version.hpp"
@@ -42,21 +45,17 @@ struct EvaluateOptions {
   MethodOptions method;
 };
 
-fs::path label_file(const fs::path& folder, const io::ScanFile& scan) {
-  return folder / (scan.name + ".label");
-}
-
 std::size_t label_files_in(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return 0;
+  std::error_code unreadable;
   return static_cast<std::size_t>(std::count_if(
-      fs::directory_iterator(folder), fs::directory_iterator{},
+      fs::directory_iterator(folder, unreadable), fs::directory_iterator{},
       [](const fs::directory_entry& entry) { return entry.path().extension() == ".label"; }));
 }
 
 // Figures over a part of the scans would look like figures over all.
 void require_label_files(const fs::path& folder, const io::ScanSequence& sequence) {
   for (const io::ScanFile& scan : sequence.scans)
-    if (!fs::exists(label_file(folder, scan)))
+    if (!io::is_there(label_file(folder, scan)))
       throw io::Error(
           {.file = label_file(folder, scan),
            .expected = fmt::format("labels for {}, as for each of the {} scans", scan.path.string(),
@@ -69,7 +68,7 @@ std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options)
   // The test sequences of SemanticKITTI have no labels; named ones must have them.
   if (!options.input.names_sequences())
     std::erase_if(sequences, [](const io::ScanSequence& sequence) {
-      const bool unlabelled = !sequence.plain() && !fs::is_directory(sequence.labels());
+      const bool unlabelled = !sequence.plain() && !io::is_there(sequence.labels());
       if (unlabelled) spdlog::warn("sequence {} has no labels and is left out", sequence.name);
       return unlabelled;
     });
@@ -80,12 +79,6 @@ std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options)
   for (const io::ScanSequence& sequence : sequences)
     require_label_files(sequence.labels(), sequence);
   return sequences;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
 }
 
 struct Evaluation {
@@ -99,20 +92,18 @@ SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence,
   std::vector<std::uint32_t> truth;
   std::vector<float> coordinates;
   std::vector<double> milliseconds;
-  ScanPipeline().run(
-      sequence.scans,
-      {.read = [&](const io::ScanFile& scan, ScanSlot& slot) { runner.read(scan, slot); },
-       .process =
-           [&](const io::ScanFile& scan, ScanSlot& slot) {
-             check_interrupt();
-             runner.process(scan, slot);
-             io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
-             copy_coordinates(slot.points, coordinates);
-             figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
-             milliseconds.push_back(slot.milliseconds);
-             progress.advance();
-             return false;
-           }});
+  ScanSlot slot;
+  // One after the other, so that nothing disturbs the times.
+  for (const io::ScanFile& scan : sequence.scans) {
+    check_interrupt();
+    runner.read(scan, slot);
+    runner.process(scan, slot);
+    io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
+    copy_coordinates(slot.points, coordinates);
+    figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
+    milliseconds.push_back(slot.milliseconds);
+    progress.advance();
+  }
   figures.median_ms = median(std::move(milliseconds));
   notes = runner.notes();
   spdlog::info("sequence {}: {}", sequence.name, notes.sensor_words());
@@ -172,7 +163,8 @@ std::string title_of(const EvaluateOptions& options, const Config& config) {
                      config.threads == 1 ? "" : "s", options.input.path().string());
 }
 
-void print_report(const EvaluateOptions& options, const Config& config, const Evaluation& result) {
+void print_report(const EvaluateOptions& options, const Arguments& arguments, const Config& config,
+                  const Evaluation& result) {
   const Report& report = result.report;
   if (options.csv) return print_result(evaluation::to_csv(report));
   if (!options.json) return print_result(evaluation::to_table(report));
@@ -180,6 +172,7 @@ void print_report(const EvaluateOptions& options, const Config& config, const Ev
   json["program"] = "groundgrid";
   json["version"] = version();
   json["command"] = "evaluate";
+  json["arguments"] = arguments;
   json.update(evaluation::to_json(report));
   for (std::size_t i = 0; i < result.notes.size(); ++i)
     put_notes(json["sequences"][i], result.notes[i]);
@@ -191,7 +184,7 @@ void print_report(const EvaluateOptions& options, const Config& config, const Ev
   print_result(to_text(json));
 }
 
-void evaluate(const EvaluateOptions& options) {
+void evaluate(const EvaluateOptions& options, const Arguments& arguments) {
   const Config config = options.method.config();
   const std::vector<io::ScanSequence> sequences = labelled_sequences(options);
   Evaluation result{.report = {.title = title_of(options, config),
@@ -204,12 +197,12 @@ void evaluate(const EvaluateOptions& options) {
   else
     for (const io::ScanSequence& sequence : sequences)
       result.report.sequences.push_back(read_predictions(options, sequence));
-  print_report(options, config, result);
+  print_report(options, arguments, config, result);
 }
 
 }  // namespace
 
-void add_evaluate(CLI::App& app) {
+void add_evaluate(CLI::App& app, const Arguments& arguments) {
   CLI::App* const command =
       app.add_subcommand("evaluate", "Score the method, or predictions, on labelled scans");
   const auto options = std::make_shared<EvaluateOptions>();
@@ -223,7 +216,8 @@ void add_evaluate(CLI::App& app) {
   command->add_flag("--csv", options->csv, "Print CSV")->excludes(json);
   options->method.add_to(*command);
   options->method.exclude(predictions);
-  command->callback([options] { evaluate(*options); });
+  options->input.exclude_poses(predictions);
+  command->callback([options, arguments] { evaluate(*options, arguments); });
 }
 
 }  // namespace groundgrid::program

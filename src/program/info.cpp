@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,15 +50,21 @@ void print_text(const std::vector<SequenceSummary>& summaries) {
   print_result(text);
 }
 
+void require_a_scan(const InfoOptions& options, const std::vector<SequenceSummary>& summaries) {
+  for (const SequenceSummary& summary : summaries)
+    if (summary.first_scan) return;
+  const SequenceSummary& first = summaries.front();
+  if (first.sequence.scans.size() == 1) throw std::runtime_error(first.unreadable.front());
+  throw io::Error({.file = options.input.path(),
+                   .expected = "a scan that can be read",
+                   .got = fmt::format("none; the first: {}", first.unreadable.front())});
+}
+
 void info(const InfoOptions& options) {
   std::vector<SequenceSummary> summaries;
   for (const io::ScanSequence& sequence : options.input.find_sequences())
     summaries.push_back(look_at(options, sequence));
-  if (std::none_of(summaries.begin(), summaries.end(),
-                   [](const SequenceSummary& summary) { return summary.first_scan.has_value(); }))
-    throw io::Error({.file = options.input.path(),
-                     .expected = "a scan that can be read",
-                     .got = fmt::format("none; {}", summaries.front().unreadable.front())});
+  require_a_scan(options, summaries);
   if (options.json)
     print_json(options, summaries);
   else

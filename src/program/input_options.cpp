@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 #include "io/scan_format.hpp"
+#include "program/pose_frames.hpp"
 #include "program/usage_error.hpp"
 
 namespace groundgrid::program {
@@ -29,17 +31,25 @@ void InputOptions::add_to(CLI::App& command, const std::string& name,
   CLI::Option* const poses =
       command.add_option("--poses", poses_,
                          "Poses of the LiDAR, KITTI (12 numbers a line) or TUM (time, position, "
-                         "quaternion), instead of the sequence's poses.txt");
-  command
-      .add_option("--calibration", calibration_,
-                  "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses")
-      ->needs(poses);
-  command
-      .add_option("--lidar-rpy-deg", roll_pitch_yaw_deg_,
-                  "Roll, pitch and yaw of the LiDAR on the vehicle, degrees (180,0,0: upside down)")
-      ->expected(3)
-      ->delimiter(',')
-      ->type_name("R,P,Y");
+                         "quaternion), z up, instead of the sequence's poses.txt");
+  CLI::Option* const calibration =
+      command
+          .add_option("--calibration", calibration_,
+                      "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses")
+          ->needs(poses);
+  CLI::Option* const mounting =
+      command
+          .add_option(
+              "--lidar-rpy-deg", roll_pitch_yaw_deg_,
+              "Roll, pitch and yaw of the LiDAR on the vehicle, degrees (180,0,0: upside down)")
+          ->expected(3)
+          ->delimiter(',')
+          ->type_name("R,P,Y");
+  pose_options_ = {poses, calibration, mounting};
+}
+
+void InputOptions::exclude_poses(CLI::Option* other) {
+  for (CLI::Option* option : pose_options_) other->excludes(option);
 }
 
 std::vector<io::ScanSequence> InputOptions::find_sequences() const {
@@ -58,10 +68,13 @@ std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& se
   if (single_scan && !poses_.empty())
     throw UsageError("--single-scan uses no poses: leave out one of it and --poses");
   if (without_poses(sequence, single_scan)) return std::nullopt;
-  if (!poses_.empty())
-    return io::ScanPoses::from_file(
+  if (!poses_.empty()) {
+    io::ScanPoses poses = io::ScanPoses::from_file(
         poses_, sequence, calibration_.empty() ? std::optional<fs::path>{} : calibration_);
-  if (!fs::exists(sequence.poses()))
+    warn_of_climb(poses, sequence);
+    return poses;
+  }
+  if (!io::is_there(sequence.poses()))
     throw io::Error({.file = sequence.poses(),
                      .expected = "the poses of the sequence",
                      .got = "nothing of that name",
@@ -72,8 +85,8 @@ std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& se
 std::optional<io::ScanPoses> InputOptions::read_every_pose(const io::ScanSequence& sequence,
                                                            bool single_scan) const {
   std::optional<io::ScanPoses> poses = read_poses(sequence, single_scan);
-  if (poses)
-    for (const io::ScanFile& scan : sequence.scans) (void)poses->pose(scan);
+  if (!poses) return poses;
+  for (const io::ScanFile& scan : sequence.scans) (void)poses->pose(scan);
   return poses;
 }
 

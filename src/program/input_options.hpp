@@ -42,6 +42,9 @@ class InputOptions {
   [[nodiscard]] std::optional<io::ScanPoses> read_every_pose(const io::ScanSequence& sequence,
                                                              bool single_scan) const;
 
+  /// Makes each flag that says something about poses or mounting an error together with `other`.
+  void exclude_poses(CLI::Option* other);
+
   /// Turns the LiDAR's axes into those of a level LiDAR that looks ahead.
   [[nodiscard]] Eigen::Matrix3d R_level_lidar() const;
 
@@ -52,6 +55,7 @@ class InputOptions {
   std::filesystem::path poses_;
   std::filesystem::path calibration_;
   std::vector<double> roll_pitch_yaw_deg_;
+  std::vector<CLI::Option*> pose_options_;
 };
 
 }  // namespace groundgrid::program

@@ -16,8 +16,12 @@ void note_interrupt(int /*signal*/) { interrupted = 1; }
 void catch_interrupts() {
   std::signal(SIGINT, note_interrupt);
   std::signal(SIGTERM, note_interrupt);
+  // A terminal that closes, unless nohup said that it does not matter.
+  if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   // Without this a reader that went away ends the process before the failed write is reported.
   std::signal(SIGPIPE, SIG_IGN);
+  // The same for a file that grows beyond what the user may write.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void check_interrupt() {

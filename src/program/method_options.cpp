@@ -58,8 +58,22 @@ const Parameter& parameter_named(const FileParameter& given) {
   throw UsageError(fmt::format("{}: unknown parameter '{}'", given.place, given.name));
 }
 
+// A value and what to begin a message about it with: its place in the parameter file, or nothing.
+struct GivenValue {
+  std::string text;
+  std::string place{};
+};
+
 // What stands for each of parameters(), in their order; nothing where the value is left alone.
-using Values = std::vector<std::optional<std::string>>;
+using Values = std::vector<std::optional<GivenValue>>;
+
+void set_value(Config& config, const Parameter& parameter, const GivenValue& value) {
+  try {
+    set_parameter(config, parameter.name, value.text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(value.place + error.what());
+  }
+}
 
 Values values_in(const std::string& file) {
   Values values(parameters().size());
@@ -68,7 +82,7 @@ Values values_in(const std::string& file) {
     auto& value = values[static_cast<std::size_t>(&parameter - parameters().data())];
     if (value)
       throw UsageError(fmt::format("{}: {} is given for the second time", given.place, given.name));
-    value = std::move(given.value);
+    value = GivenValue{std::move(given.value), given.place + ": "};
   }
   return values;
 }
@@ -103,10 +117,10 @@ Config MethodOptions::config() const {
   Config config = preset_ == "paper" ? Config::paper() : Config{};
   Values values = file_.empty() ? Values(values_.size()) : values_in(file_);
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (parameter_options_[i]->count() > 0) values[i] = values_[i];
+    if (parameter_options_[i]->count() > 0) values[i] = GivenValue{values_[i]};
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i]) set_value(config, parameters()[i], *values[i]);
   try {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      if (values[i]) set_parameter(config, parameters()[i].name, *values[i]);
     config.validate();
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());

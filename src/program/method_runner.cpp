@@ -8,11 +8,13 @@
 #include <cmath>
 #include <exception>
 #include <new>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "io/error.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "program/pose_frames.hpp"
 #include "program/scan_reading.hpp"
 
 namespace groundgrid::program {
@@ -50,6 +52,19 @@ ScanResult process_scan(GroundGrid& grid, const SensorScan& sensor_scan,
   }
 }
 
+// No ground vehicle stands like that: the frame of the poses or the mounting is another one.
+void require_upright(const Eigen::Isometry3d& T_map_base, const io::ScanFile& scan) {
+  constexpr double kMostTilt_deg = 60.0;
+  const double tilt_deg =
+      std::acos(std::clamp(T_map_base.linear()(2, 2), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+  if (tilt_deg < kMostTilt_deg) return;
+  throw io::Error({.file = scan.path,
+                   .expected = "a pose that stands upright in a map whose z is up",
+                   .got = fmt::format("one that leans by {:.0f} degrees", tilt_deg),
+                   .remedy = "say how the LiDAR is mounted by --lidar-rpy-deg, or that the poses "
+                             "are a camera's by --calibration"});
+}
+
 void warn_about(const io::ScanFile& scan, const ScanResult& result, const Config& config) {
   if (result.map_restarted)
     spdlog::warn(
@@ -66,17 +81,23 @@ void warn_about(const io::ScanFile& scan, const ScanResult& result, const Config
 
 MethodRunner::MethodRunner(const Config& config, std::optional<io::ScanPoses> poses,
                            RunFrames frames)
-    : grid_(make_grid(config)), poses_(std::move(poses)), frames_(std::move(frames)) {}
+    : grid_(make_grid(config)),
+      poses_(std::move(poses)),
+      frames_(std::move(frames)),
+      T_map_poses_(poses_ ? frames_.T_map_level * T_level_poses(*poses_, frames_.R_level_lidar)
+                          : frames_.T_map_level) {}
 
 void MethodRunner::read(const io::ScanFile& scan, ScanSlot& slot) const {
   read_into_slot(scan, frames_.R_level_lidar, slot);
 }
 
 Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
-  if (!poses_) return frames_.T_map_poses;
+  if (!poses_) return T_map_poses_;
   Eigen::Isometry3d T_lidar_level = Eigen::Isometry3d::Identity();
   T_lidar_level.linear() = frames_.R_level_lidar.transpose();
-  return frames_.T_map_poses * poses_->pose(scan) * T_lidar_level;
+  const Eigen::Isometry3d T_map_base = T_map_poses_ * poses_->pose(scan) * T_lidar_level;
+  require_upright(T_map_base, scan);
+  return T_map_base;
 }
 
 void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {

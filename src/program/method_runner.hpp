@@ -15,8 +15,8 @@ namespace groundgrid::program {
 struct RunFrames {
   /// As InputOptions::R_level_lidar().
   Eigen::Matrix3d R_level_lidar = Eigen::Matrix3d::Identity();
-  /// Where the frame of the poses lies in the frame of the terrain.
-  Eigen::Isometry3d T_map_poses = Eigen::Isometry3d::Identity();
+  /// Where the frame of the poses, once it is level, lies in the frame of the terrain.
+  Eigen::Isometry3d T_map_level = Eigen::Isometry3d::Identity();
 };
 
 /// Runs the method over the scans of one sequence in their order.
@@ -30,7 +30,8 @@ class MethodRunner {
   void read(const io::ScanFile& scan, ScanSlot& slot) const;
 
   /// Labels the points of a slot. Throws what reading it threw, io::Error where the scan has no
-  /// pose. Warns where the map starts anew and where no point lies in the map.
+  /// pose or one that lays the vehicle on its side. Warns where the map starts anew and where no
+  /// point lies in the map.
   void process(const io::ScanFile& scan, ScanSlot& slot);
 
   /// The map after the last scan.
@@ -45,6 +46,7 @@ class MethodRunner {
   GroundGrid grid_;
   std::optional<io::ScanPoses> poses_;  ///< Nothing for single scans.
   RunFrames frames_;
+  Eigen::Isometry3d T_map_poses_;
   MethodNotes notes_;
 };
 

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -53,8 +54,9 @@ int run(int argc, const char* const* argv) {
   CLI::App app{"GroundGrid: LiDAR ground segmentation and terrain estimation", "groundgrid"};
   app.set_version_flag("--version", version());
   app.require_subcommand(1);
-  add_segment(app);
-  add_evaluate(app);
+  const Arguments arguments(argv + std::min(argc, 1), argv + argc);
+  add_segment(app, arguments);
+  add_evaluate(app, arguments);
   add_info(app);
   add_params(app);
   add_reproduce(app);

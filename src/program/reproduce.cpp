@@ -18,10 +18,13 @@
 #include "evaluation/reproduction.hpp"
 #include "io/atomic_file.hpp"
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
+#include "program/label_file.hpp"
+#include "program/median.hpp"
 #include "program/method_runner.hpp"
 #include "program/scan_reading.hpp"
 #include "program/standard_output.hpp"
@@ -44,10 +47,6 @@ struct ReproduceOptions {
 
 int all_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-fs::path label_file(const io::ScanSequence& sequence, const io::ScanFile& scan) {
-  return sequence.labels() / (scan.name + ".label");
-}
-
 bool is_published(const io::ScanSequence& sequence) {
   const auto all = evaluation::published_sequences();
   return std::any_of(all.begin(), all.end(), [&](const evaluation::PublishedSequence& published) {
@@ -65,8 +64,8 @@ io::ScanPoses read_poses(const io::ScanSequence& sequence) {
 void require_labels_and_poses(const io::ScanSequence& sequence) {
   (void)read_poses(sequence);
   for (const io::ScanFile& scan : sequence.scans)
-    if (!fs::exists(label_file(sequence, scan)))
-      throw io::Error({.file = label_file(sequence, scan),
+    if (!io::is_there(label_file(sequence.labels(), scan)))
+      throw io::Error({.file = label_file(sequence.labels(), scan),
                        .expected = fmt::format("the labels of {}", scan.path.string()),
                        .got = "no such file"});
 }
@@ -74,8 +73,8 @@ void require_labels_and_poses(const io::ScanSequence& sequence) {
 std::vector<io::ScanSequence> sequences_of_table(const ReproduceOptions& options) {
   std::vector<io::ScanSequence> sequences = io::find_sequences(options.dataset, options.sequences);
   std::erase_if(sequences, [&](const io::ScanSequence& sequence) {
-    const bool in_table = is_published(sequence) &&
-                          (!options.sequences.empty() || fs::is_directory(sequence.labels()));
+    const bool in_table =
+        is_published(sequence) && (!options.sequences.empty() || io::is_there(sequence.labels()));
     if (!in_table && !sequence.plain())
       spdlog::warn("sequence {} {} and is left out", sequence.name,
                    is_published(sequence) ? "has no labels" : "is not in the paper's Table I");
@@ -111,12 +110,6 @@ struct Times {
   std::vector<double> all_threads;
 };
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-}
-
 void announce(const std::string& preset, const io::ScanSequence& sequence, int threads) {
   const std::size_t scans = sequence.scans.size();
   spdlog::info("preset {}, sequence {}, {} thread{}: {} scan{}", preset, sequence.name, threads,
@@ -131,7 +124,7 @@ SequenceResult score(const std::string& preset, Config config, const io::ScanSeq
   std::vector<std::uint32_t> truth;
   std::vector<float> coordinates;
   run_method(config, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
-    io::read_labels(label_file(sequence, scan), scan.path, processed.labels.size(), truth);
+    io::read_labels(label_file(sequence.labels(), scan), scan.path, processed.labels.size(), truth);
     copy_coordinates(processed.points, coordinates);
     result.metrics.add_scan(coordinates, 3, truth, processed.labels);
     labels.add(processed.labels);

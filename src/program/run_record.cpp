@@ -73,6 +73,7 @@ Json to_json(const RunRecord& record) {
   return {{"program", "groundgrid"},
           {"version", version()},
           {"command", "segment"},
+          {"arguments", record.arguments},
           {"complete", record.skipped() == 0},
           {"input", record.input.string()},
           {"output", record.output.string()},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "groundgrid/config.hpp"
+#include "program/arguments.hpp"
 #include "program/label_counts.hpp"
 #include "program/method_notes.hpp"
 
@@ -39,6 +40,7 @@ struct SkippedSequence {
 
 /// What run.json says about a run.
 struct RunRecord {
+  Arguments arguments{};
   std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path poses{};  ///< Of --poses; empty where the sequences' own were used.

@@ -139,7 +139,8 @@ std::vector<std::string> ScanSummary::remarks() const {
   std::vector<std::string> remarks;
   const std::size_t usable = points - not_finite - at_origin;
   if (points == 0) remarks.emplace_back("The file holds no points.");
-  if (points > 0 && usable == 0) remarks.emplace_back("No point has finite coordinates.");
+  if (points > 0 && usable == 0)
+    remarks.emplace_back("No point is a measurement: all are NaN, infinite or at the origin.");
   if (looks_flipped)
     remarks.emplace_back(
         "z looks flipped: the ground is above the LiDAR. Is it mounted upside down? Then "

@@ -24,14 +24,19 @@ CloudOutput cloud_output_named(const std::string& name) {
 }
 
 ScanWriter::ScanWriter(const fs::path& output, const io::ScanSequence& sequence, CloudOutput clouds)
-    : label_folder_(sequence.plain() ? output
+    : sequence_(&sequence),
+      label_folder_(sequence.plain() ? output
                                      : output / "sequences" / sequence.name / "predictions"),
       cloud_folder_(sequence.plain() ? output : output / "sequences" / sequence.name / "clouds"),
-      clouds_(clouds) {
+      clouds_(clouds) {}
+
+void ScanWriter::make_folders() const {
   make_folder(label_folder_);
-  if (clouds_ == CloudOutput::none) return;
-  for (const io::ScanFile& scan : sequence.scans) check(scan);
-  make_folder(cloud_folder_);
+  if (clouds_ != CloudOutput::none) make_folder(cloud_folder_);
+}
+
+fs::path ScanWriter::label_path(const io::ScanFile& scan) const {
+  return label_folder_ / (scan.name + ".label");
 }
 
 io::ScanFormat ScanWriter::cloud_format(const io::ScanFile& scan) const {
@@ -43,22 +48,21 @@ fs::path ScanWriter::cloud_path(const io::ScanFile& scan) const {
   return cloud_folder_ / fmt::format("{}.{}", scan.name, io::name_of(cloud_format(scan)));
 }
 
-void ScanWriter::check(const io::ScanFile& scan) const {
-  const io::ScanFormat format = cloud_format(scan);
-  if (format != io::ScanFormat::pcd && format != io::ScanFormat::ply)
-    throw UsageError(
-        fmt::format("{}: its format has no place for labels; use --clouds pcd or --clouds ply",
-                    scan.path.string()));
-  std::error_code not_there;
-  if (fs::equivalent(cloud_path(scan), scan.path, not_there))
-    throw UsageError(
-        fmt::format("{}: would be overwritten by its labelled cloud; choose another "
-                    "--output",
-                    scan.path.string()));
+void ScanWriter::check() const {
+  for (const io::ScanFile& scan : sequence_->scans) {
+    require_other_file(scan, label_path(scan));
+    if (clouds_ == CloudOutput::none) continue;
+    const io::ScanFormat format = cloud_format(scan);
+    if (format != io::ScanFormat::pcd && format != io::ScanFormat::ply)
+      throw UsageError(
+          fmt::format("{}: its format has no place for labels; use --clouds pcd or --clouds ply",
+                      scan.path.string()));
+    require_other_file(scan, cloud_path(scan));
+  }
 }
 
 void ScanWriter::write(const io::ScanFile& scan, const ScanSlot& slot) const {
-  io::write_labels(label_folder_ / (scan.name + ".label"), slot.labels);
+  io::write_labels(label_path(scan), slot.labels);
   if (clouds_ == CloudOutput::none) return;
   io::write_labelled_cloud(cloud_path(scan), cloud_format(scan), slot.cloud, slot.labels,
                            slot.height_above_ground);

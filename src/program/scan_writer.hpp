@@ -20,11 +20,16 @@ CloudOutput cloud_output_named(const std::string& name);
 /// fields of the input, the labels and the heights.
 class ScanWriter {
  public:
-  /// Makes the folders below `output`, the folder of the whole run. Throws io::Error where that
-  /// fails, UsageError where a scan has no cloud format to be written in again, or would be
-  /// overwritten.
+  /// `output` is the folder of the whole run.
   ScanWriter(const std::filesystem::path& output, const io::ScanSequence& sequence,
              CloudOutput clouds);
+
+  /// Throws UsageError where a scan has no cloud format to be written in again, or would be
+  /// overwritten by what is written for it.
+  void check() const;
+
+  /// Makes the folders. Throws io::Error.
+  void make_folders() const;
 
   /// Writes the files of one scan, each complete or not at all. Throws io::Error.
   void write(const io::ScanFile& scan, const ScanSlot& slot) const;
@@ -32,8 +37,9 @@ class ScanWriter {
  private:
   [[nodiscard]] io::ScanFormat cloud_format(const io::ScanFile& scan) const;
   [[nodiscard]] std::filesystem::path cloud_path(const io::ScanFile& scan) const;
-  void check(const io::ScanFile& scan) const;
+  [[nodiscard]] std::filesystem::path label_path(const io::ScanFile& scan) const;
 
+  const io::ScanSequence* sequence_;
   std::filesystem::path label_folder_;
   std::filesystem::path cloud_folder_;
   CloudOutput clouds_;

@@ -43,9 +43,10 @@ std::size_t scans_in(const std::vector<Job>& jobs) {
 // One run of `segment`: what is done is in the members, whether or not it comes to its end.
 class Segmentation {
  public:
-  explicit Segmentation(const SegmentOptions& options)
+  Segmentation(const SegmentOptions& options, const Arguments& arguments)
       : options_(options),
-        record_{.input = options.input.path(),
+        record_{.arguments = arguments,
+                .input = options.input.path(),
                 .output = options.output,
                 .poses = options.input.pose_file(),
                 .preset = options.method.preset(),
@@ -61,9 +62,11 @@ class Segmentation {
       spdlog::info("{} has no poses: every file is taken as a single scan",
                    options_.input.path().string());
     std::vector<Job> jobs = jobs_for(sequences);
+    // What cannot be written must show before anything is touched.
+    for (const Job& job : jobs) check_outputs(job.sequence);
     make_folder(options_.output);
     // A record of an earlier run must not vouch for the files of one that fails.
-    fs::remove(options_.output / "run.json");
+    remove_file(options_.output / "run.json");
     try {
       segment_all(jobs);
     } catch (...) {
@@ -92,6 +95,12 @@ class Segmentation {
       }
     }
     return jobs;
+  }
+
+  void check_outputs(const io::ScanSequence& sequence) const {
+    ScanWriter(options_.output, sequence, cloud_output_named(options_.clouds)).check();
+    if (options_.terrain.wanted())
+      TerrainOutput::check(options_.output, sequence, record_.single_scan);
   }
 
   void segment_all(std::vector<Job>& jobs) {
@@ -132,11 +141,11 @@ class Segmentation {
 
 }  // namespace
 
-void add_segment(CLI::App& app) {
+void add_segment(CLI::App& app, const Arguments& arguments) {
   CLI::App* const command = app.add_subcommand("segment", "Label every point of every scan");
   const auto options = std::make_shared<SegmentOptions>();
   options->add_to(*command);
-  command->callback([options] { Segmentation(*options).run(); });
+  command->callback([options, arguments] { Segmentation(*options, arguments).run(); });
 }
 
 }  // namespace groundgrid::program

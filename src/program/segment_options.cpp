@@ -12,7 +12,7 @@ void SegmentOptions::add_to(CLI::App& command) {
   command
       .add_option("--clouds", clouds,
                   "Write each cloud again with its labels and heights: same (as the input), pcd or "
-                  "ply [none]")
+                  "ply; left out: none")
       ->check(CLI::IsMember({"same", "pcd", "ply"}));
   terrain.add_to(command);
   command.add_flag("--keep-going", keep_going, "Skip bad scans and list them");

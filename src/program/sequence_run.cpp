@@ -20,8 +20,9 @@ SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequ
           SequenceRecord{.name = sequence.name, .folder = sequence.folder})),
       runner_(context.record.config, std::move(poses),
               {.R_level_lidar = context.options.input.R_level_lidar(),
-               .T_map_poses = context.options.terrain.T_map_poses()}),
+               .T_map_level = context.options.terrain.T_map_level()}),
       writer_(context.options.output, sequence, cloud_output_named(context.options.clouds)) {
+  writer_.make_folders();
   if (context.options.terrain.wanted())
     terrain_.emplace(context.options.output, sequence, context.record.single_scan,
                      context.options.terrain.crs());
@@ -34,10 +35,7 @@ void SequenceRun::run() {
       .write = [this](const io::ScanFile& scan, ScanSlot& slot) { writer_.write(scan, slot); },
       .done = [this](const io::ScanFile& scan, ScanSlot& slot) { note_done(scan, slot); }};
   ScanPipeline().run(sequence_.scans, steps);
-  if (terrain_ && record_.scans > 0) {
-    terrain_->finish();
-    record_.terrain = terrain_->place();
-  }
+  if (terrain_ && record_.scans > 0) finish_terrain();
   record_.notes = runner_.notes();
   announce();
 }
@@ -63,6 +61,15 @@ void SequenceRun::note_done(const io::ScanFile& scan, const ScanSlot& slot) {
   record_.counts.add(slot.counts);
   context_.timing.add({record_.name, scan.name, slot.size(), slot.milliseconds});
   context_.progress.advance();
+}
+
+void SequenceRun::finish_terrain() {
+  try {
+    if (terrain_->finish()) record_.terrain = terrain_->place();
+  } catch (const io::Error& error) {
+    if (!context_.options.keep_going) throw;
+    spdlog::warn("{}", error.what());
+  }
 }
 
 void SequenceRun::announce() const {

@@ -3,17 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "groundgrid/config.hpp"
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 #include "program/interrupt.hpp"
+#include "program/label_file.hpp"
 #include "program/scan_reading.hpp"
 
 namespace groundgrid::program {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 void read_scans(SequenceSummary& summary, const Eigen::Matrix3d& R_level_lidar, bool every_scan) {
@@ -33,10 +33,9 @@ void read_scans(SequenceSummary& summary, const Eigen::Matrix3d& R_level_lidar, 
 }
 
 std::size_t labelled_scans(const io::ScanSequence& sequence) {
-  return static_cast<std::size_t>(
-      std::count_if(sequence.scans.begin(), sequence.scans.end(), [&](const io::ScanFile& scan) {
-        return fs::exists(sequence.labels() / (scan.name + ".label"));
-      }));
+  return static_cast<std::size_t>(std::count_if(
+      sequence.scans.begin(), sequence.scans.end(),
+      [&](const io::ScanFile& scan) { return io::is_there(label_file(sequence.labels(), scan)); }));
 }
 
 std::string pose_text(const SequenceSummary& summary) {
@@ -81,7 +80,7 @@ SequenceSummary summary_of(const io::ScanSequence& sequence, const Eigen::Matrix
   if (sequence.plain()) return summary;
   summary.missing_numbers =
       sequence.scans.back().number - sequence.scans.front().number + 1 - sequence.scans.size();
-  if (fs::is_directory(sequence.labels())) summary.scans_with_labels = labelled_scans(sequence);
+  if (io::is_folder(sequence.labels())) summary.scans_with_labels = labelled_scans(sequence);
   return summary;
 }
 
@@ -106,11 +105,10 @@ void add_poses(SequenceSummary& summary, const io::ScanPoses& poses) {
 std::string to_text(const SequenceSummary& summary) {
   const io::ScanSequence& sequence = summary.sequence;
   const std::size_t scans = sequence.scans.size();
-  std::string text =
-      sequence.plain()
-          ? fmt::format("{}: {} scan{}\n", sequence.folder.string(), scans, scans == 1 ? "" : "s")
-          : fmt::format("sequence {}: {} scans, {} to {}\n", sequence.name, scans,
-                        sequence.scans.front().name, sequence.scans.back().name);
+  std::string text = sequence.plain()
+                         ? fmt::format("{} scan{}\n", scans, scans == 1 ? "" : "s")
+                         : fmt::format("sequence {}: {} scans, {} to {}\n", sequence.name, scans,
+                                       sequence.scans.front().name, sequence.scans.back().name);
   if (summary.missing_numbers > 0)
     text += fmt::format("  {} numbers between them are missing\n", summary.missing_numbers);
   if (summary.scans_read > 1)

@@ -1,6 +1,7 @@
 #include "program/terrain_output.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,11 @@ namespace fs = std::filesystem;
 fs::path place_of(const io::ScanSequence& sequence, bool single_scans) {
   const fs::path folder = sequence.plain() ? fs::path{} : fs::path("sequences") / sequence.name;
   if (!single_scans) return folder / "terrain.tif";
-  return sequence.plain() ? fs::path(".") : folder / "terrain";
+  return sequence.plain() ? fs::path{} : folder / "terrain";
+}
+
+fs::path raster_of(const fs::path& folder, const io::ScanFile& scan) {
+  return folder / (scan.name + ".tif");
 }
 
 }  // namespace
@@ -41,7 +46,8 @@ void TerrainOptions::add_to(CLI::App& command) {
           ->needs(terrain);
   command
       .add_option("--heading-deg", heading_deg_,
-                  "Direction of the poses' x axis, degrees from east towards north [0]")
+                  "Direction of the poses' x axis, degrees from east towards north [0]; the cells "
+                  "turn with it, so some labels change")
       ->needs(origin);
 }
 
@@ -57,14 +63,14 @@ void TerrainOptions::check() const {
   }
 }
 
-Eigen::Isometry3d TerrainOptions::T_map_poses() const {
-  Eigen::Isometry3d T_map_poses = Eigen::Isometry3d::Identity();
-  if (origin_m_.empty()) return T_map_poses;
-  T_map_poses.translation() = Eigen::Vector3d(origin_m_[0], origin_m_[1], origin_m_[2]);
-  T_map_poses.linear() =
+Eigen::Isometry3d TerrainOptions::T_map_level() const {
+  Eigen::Isometry3d T_map_level = Eigen::Isometry3d::Identity();
+  if (origin_m_.empty()) return T_map_level;
+  T_map_level.translation() = Eigen::Vector3d(origin_m_[0], origin_m_[1], origin_m_[2]);
+  T_map_level.linear() =
       Eigen::AngleAxisd(heading_deg_ * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ())
           .toRotationMatrix();
-  return T_map_poses;
+  return T_map_level;
 }
 
 TerrainOutput::TerrainOutput(const fs::path& output, const io::ScanSequence& sequence,
@@ -76,15 +82,28 @@ TerrainOutput::TerrainOutput(const fs::path& output, const io::ScanSequence& seq
     mosaic_.emplace(output_ / place_, crs_);
 }
 
+void TerrainOutput::check(const fs::path& output, const io::ScanSequence& sequence,
+                          bool single_scans) {
+  if (!single_scans) return;
+  for (const io::ScanFile& scan : sequence.scans)
+    require_other_file(scan, raster_of(output / place_of(sequence, true), scan));
+}
+
 void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain) {
   if (mosaic_)
     mosaic_->add(terrain);
   else
-    geotiff::write_terrain(output_ / place_ / (scan.name + ".tif"), terrain, crs_);
+    geotiff::write_terrain(raster_of(output_ / place_, scan), terrain, crs_);
 }
 
-void TerrainOutput::finish() {
-  if (mosaic_) mosaic_->finish();
+bool TerrainOutput::finish() {
+  if (!mosaic_) return true;
+  if (mosaic_->empty()) {
+    spdlog::warn("{}: not written, since no scan showed any ground", (output_ / place_).string());
+    return false;
+  }
+  mosaic_->finish();
+  return true;
 }
 
 }  // namespace groundgrid::program

@@ -24,8 +24,8 @@ class TerrainOptions {
   [[nodiscard]] bool wanted() const { return wanted_; }
   /// Empty for a local frame.
   [[nodiscard]] const std::string& crs() const { return crs_; }
-  /// Where the frame of the poses lies in that of the terrain.
-  [[nodiscard]] Eigen::Isometry3d T_map_poses() const;
+  /// Where the frame of the poses, once it is level, lies in that of the terrain.
+  [[nodiscard]] Eigen::Isometry3d T_map_level() const;
 
  private:
   bool wanted_ = false;
@@ -43,11 +43,15 @@ class TerrainOutput {
   TerrainOutput(const std::filesystem::path& output, const io::ScanSequence& sequence,
                 bool single_scans, std::string crs);
 
+  /// Throws UsageError where the raster of a single scan would overwrite the scan.
+  static void check(const std::filesystem::path& output, const io::ScanSequence& sequence,
+                    bool single_scans);
+
   /// Takes the map as it stands after the scan. Throws io::Error.
   void add(const io::ScanFile& scan, const TerrainView& terrain);
 
-  /// Writes the mosaic. Throws io::Error.
-  void finish();
+  /// Writes the mosaic. False, with a warning, where no scan showed any ground. Throws io::Error.
+  bool finish();
 
   /// Files or, for single scans, the folder with one file a scan; relative to the run's folder.
   [[nodiscard]] const std::filesystem::path& place() const { return place_; }

@@ -14,7 +14,7 @@
 #include "io/csv_field.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
-#include "io/number_list.hpp"
+#include "io/path_checks.hpp"
 
 namespace groundgrid::program {
 namespace {
@@ -39,6 +39,21 @@ std::string take_field(std::string_view& rest) {
   return field;
 }
 
+// Rows end at line ends outside of quotes.
+std::vector<std::string_view> split_rows(std::string_view text) {
+  std::vector<std::string_view> rows;
+  bool inside_quotes = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') inside_quotes = !inside_quotes;
+    if (text[i] != '\n' || inside_quotes) continue;
+    rows.push_back(text.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  if (begin < text.size()) rows.push_back(text.substr(begin));
+  return rows;
+}
+
 using Key = std::pair<std::string, std::string>;
 
 // A sequence is replaced as a whole, plain files one by one.
@@ -53,9 +68,9 @@ TimingTable::TimingTable(std::filesystem::path path)
 
 std::vector<TimingTable::Line> TimingTable::read(const std::filesystem::path& path) {
   std::vector<Line> lines;
-  if (!std::filesystem::exists(path)) return lines;
+  if (!io::is_there(path)) return lines;
   const std::string text = io::read_text(path);
-  const std::vector<std::string_view> rows = io::split_lines(text);
+  const std::vector<std::string_view> rows = split_rows(text);
   if (rows.empty() || rows.front() != kHeader)
     throw io::Error({.file = path,
                      .line = 1,

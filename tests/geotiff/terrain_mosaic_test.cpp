@@ -273,6 +273,25 @@ TEST(TerrainMosaic, WithoutScansOrGroundThereIsNothingToWrite) {
   EXPECT_EQ(files_below(folder.path()), Names{});
 }
 
+TEST(TerrainMosaic, IsEmptyUntilAScanHasShownGround) {
+  const test::TemporaryFolder folder;
+  TerrainMosaic mosaic(folder / "terrain.tif");
+  EXPECT_TRUE(mosaic.empty());
+  mosaic.add(TerrainView{});
+  EXPECT_TRUE(mosaic.empty());
+  // Points alone, without confidence, tell no height.
+  SmallMap map(3);
+  map.set(1, 1, 0.5F, 0.0F, 9);
+  mosaic.add(map.view());
+  EXPECT_TRUE(mosaic.empty());
+  map.set(2, 0, 0.5F, 0.125F, 9);
+  mosaic.add(map.view());
+  EXPECT_FALSE(mosaic.empty());
+  mosaic.finish();
+  EXPECT_FALSE(mosaic.empty());
+  EXPECT_EQ(read_raster(folder / "terrain.tif").at(1, 0, 0), 0.5F);
+}
+
 TEST(TerrainMosaic, LeavesNothingWithoutFinish) {
   const test::TemporaryFolder folder;
   {

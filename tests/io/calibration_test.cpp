@@ -32,6 +32,11 @@ TEST_P(CalibrationForm, IsRead) {
 INSTANTIATE_TEST_SUITE_P(Kitti, CalibrationForm,
                          ::testing::Values("Tr: ", "Tr ", "Tr_velo_cam ", "Tr_velo_to_cam: "));
 
+TEST(Calibration, MayBeginWithAByteOrderMark) {
+  const Eigen::Isometry3d T_camera_lidar = read(std::string("\xEF\xBB\xBFTr: +") + kMounting);
+  EXPECT_EQ(T_camera_lidar.translation(), Eigen::Vector3d(0.5, -0.08, -0.27));
+}
+
 TEST(Calibration, MustHaveTheMounting) {
   const std::string message = message_of<Error>([] { read("P0: 1 2 3\nTr_imu_velo 1 2 3\n"); });
   EXPECT_TRUE(contains(message, "calib.txt: expected a line 'Tr:'"));

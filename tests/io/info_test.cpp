@@ -86,6 +86,17 @@ TEST_F(Info, FindsGapsAndWhatIsMissing) {
   EXPECT_EQ(sequence["poses"]["greatest_step_m"], 90.0);
 }
 
+TEST_F(Info, TellsWhatItCanBesideALoopOfLinks) {
+  dataset.add_sequence("00", 1);
+  for (const char* name : {"poses.txt", "labels"}) {
+    fs::remove_all(dataset.folder / "sequences/00" / name);
+    fs::create_symlink(name, dataset.folder / "sequences/00" / name);
+  }
+  const json sequence = info_json(dataset.path())["sequences"][0];
+  EXPECT_EQ(sequence["scans_read"], 1);
+  EXPECT_TRUE(contains(sequence["pose_problem"].get<std::string>(), "poses.txt: expected"));
+}
+
 TEST_F(Info, SaysWhyThereAreNoPoses) {
   dataset.add_sequence("00", 1);
   fs::remove(dataset.folder / "sequences/00/calib.txt");

@@ -240,6 +240,28 @@ TEST(LabelledCloud, GivesEveryNumberOfAHistogramANameOfItsOwn) {
   EXPECT_EQ(values_of(result, "h_0")[0], 6.0);
 }
 
+// x, y, z and the two answers besides.
+PointCloud with_histogram(std::size_t numbers) {
+  PointCloud cloud;
+  for (const char* const name : {"x", "y", "z"}) cloud.add_field(name, FieldType::float32);
+  cloud.add_field("h", FieldType::uint8, numbers);
+  cloud.width = kLabels.size();
+  cloud.data.resize(cloud.size() * cloud.stride_bytes);
+  return cloud;
+}
+
+TEST(LabelledCloud, HasAtMost4096PropertiesInPly) {
+  EXPECT_EQ(written(with_histogram(4091), ScanFormat::ply).fields.size(), 4096U);
+  const test::TemporaryFolder folder;
+  const PointCloud cloud = with_histogram(4092);
+  const std::string message = message_of<Error>(
+      [&] { write_labelled_cloud(folder / "a.ply", ScanFormat::ply, cloud, kLabels, kHeights); });
+  EXPECT_TRUE(contains(message, "a.ply: expected at most 4096 numbers a point"));
+  EXPECT_TRUE(contains(message, "got 4097; write them with --clouds pcd"));
+  EXPECT_TRUE(test::files_below(folder.path()).empty());
+  EXPECT_EQ(written(cloud, ScanFormat::pcd).find("h")->count, 4092U);
+}
+
 TEST(LabelledCloud, MustHaveOneAnswerAPoint) {
   const test::TemporaryFolder folder;
   const PointCloud cloud = every_type(CloudEncoding::binary);

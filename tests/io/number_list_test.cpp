@@ -13,6 +13,12 @@ TEST(NumberList, TakesBlanksOfAllKinds) {
   EXPECT_EQ(parse_numbers(" "), std::vector<double>{});
 }
 
+TEST(NumberList, TakesAPlusBeforeANumber) {
+  EXPECT_EQ(parse_numbers("+1.0e+00 -1 +.5"), (std::vector<double>{1.0, -1.0, 0.5}));
+  for (const char* const line : {"+", "++1", "+-1", "-+1", "1 + 2"})
+    EXPECT_FALSE(parse_numbers(line)) << line;
+}
+
 TEST(NumberList, RejectsWords) {
   EXPECT_FALSE(parse_numbers("1 2x 3"));
   EXPECT_FALSE(parse_numbers("1,2"));
@@ -56,6 +62,20 @@ TEST(NumberList, SplitsLinesOfBothKinds) {
   EXPECT_EQ(split_lines("a\r\n\nb"), (std::vector<std::string_view>{"a", "", "b"}));
   EXPECT_EQ(split_lines("a\n"), (std::vector<std::string_view>{"a"}));
   EXPECT_TRUE(split_lines("").empty());
+}
+
+TEST(NumberList, LeavesOutTheByteOrderMarkBeforeTheLines) {
+  EXPECT_EQ(split_lines("\xEF\xBB\xBF"
+                        "a\nb"),
+            (std::vector<std::string_view>{"a", "b"}));
+  EXPECT_TRUE(split_lines("\xEF\xBB\xBF").empty());
+  // Elsewhere it is a letter as others are, and half of it is none.
+  EXPECT_EQ(split_lines("a\n\xEF\xBB\xBF"
+                        "b")
+                .back(),
+            "\xEF\xBB\xBF"
+            "b");
+  EXPECT_EQ(split_lines("\xEF\xBB").front(), "\xEF\xBB");
 }
 
 }  // namespace

@@ -12,6 +12,14 @@ TEST(ScanFormat, IsFoundByTheEndingOfTheName) {
   EXPECT_EQ(format_by_name("x.pcd/b.ply"), ScanFormat::ply);
 }
 
+TEST(ScanFormat, IsFoundWhateverTheCaseOfTheEnding) {
+  EXPECT_EQ(format_by_name("000000.BIN"), ScanFormat::kitti);
+  EXPECT_EQ(format_by_name("1.PCD.Bin"), ScanFormat::nuscenes);
+  EXPECT_EQ(format_by_name("b.Pcd"), ScanFormat::pcd);
+  EXPECT_EQ(format_by_name("b.PLY"), ScanFormat::ply);
+  EXPECT_EQ(scan_stem("Scan.PCD.BIN"), "Scan");
+}
+
 TEST(ScanFormat, IsNoneForHiddenFilesAndOtherEndings) {
   for (const char* const name : {".a.bin", ".pcd.bin", ".ply", "a.txt", "pcd", "", "a/"})
     EXPECT_FALSE(format_by_name(name)) << name;

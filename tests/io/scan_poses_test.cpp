@@ -221,6 +221,21 @@ TEST_F(PoseFile, NeedsATimeForEveryScan) {
                        "every number up to that of 4.bin, got 0 lines"));
 }
 
+TEST_F(PoseFile, IsNotTakenWithoutTimesThatLeadNowhere) {
+  std::filesystem::create_symlink("gone", folder / "times.txt");
+  EXPECT_TRUE(contains(error("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n"),
+                       "times.txt: expected a file, got nothing of that name"));
+}
+
+TEST_F(PoseFile, MayBeginWithAByteOrderMarkAndHavePluses) {
+  const std::string mark = "\xEF\xBB\xBF";
+  write_file(folder / "times.txt", mark + "+1.0e+00\n2\n");
+  const ScanPoses tum = read(mark + "+1.0e+00 +7 -0 0 0 0 0 +1\n2 9 0 0 0 0 0 1\n");
+  EXPECT_EQ(pose(tum, 0).translation(), Eigen::Vector3d(7.0, 0.0, 0.0));
+  const ScanPoses kitti = read(mark + "+" + kLidarAhead + kLidarLeft);
+  EXPECT_EQ(pose(kitti, 0).translation(), Eigen::Vector3d(2.0, 0.0, 0.0));
+}
+
 TEST_F(PoseFile, MustHoldPosesOfTum) {
   const std::string good = "1 0 0 0 0 0 0 1\n";
   EXPECT_TRUE(contains(error(good + "2 0 0 0 0 0 0 1.002\n"),

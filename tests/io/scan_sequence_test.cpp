@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "cloud_checks.hpp"
 #include "io/error.hpp"
 #include "temporary_folder.hpp"
 
@@ -112,6 +115,13 @@ TEST_F(Dataset, SaysSoWhereANumberIsTooLarge) {
                        "'99999999999999999999'"));
 }
 
+TEST_F(Dataset, LeavesScansThatAreNoFilesToReading) {
+  fs::create_directory(folder / "sequences/08/velodyne/000004.bin");
+  fs::create_symlink("gone", folder / "sequences/08/velodyne/000003.bin");
+  const ScanSequence sequence = find_sequences(folder / "sequences/08").front();
+  EXPECT_EQ(scans_of(sequence), (Names{"000000", "000003", "000004"}));
+}
+
 TEST_F(Dataset, LeavesOutNoSequenceThatCannotBeRead) {
   fs::create_directory(folder / "sequences/09");
   fs::create_symlink(folder / "sequences/09/velodyne", folder / "sequences/09/velodyne");
@@ -201,28 +211,51 @@ TEST(PlainScans, MustHaveDifferentNames) {
   EXPECT_TRUE(contains(message, "the name 'a' again"));
 }
 
-TEST(PlainScans, MustBeFiles) {
+TEST(PlainScans, ThatAreNoFilesAreLeftToReading) {
   const test::TemporaryFolder folder;
-  fs::create_directory(folder / "scans");
-  fs::create_directory(folder / "scans/a.bin");
-  EXPECT_TRUE(contains(message_of<Error>([&] { find_sequences(folder / "scans"); }),
-                       "a.bin: expected a file, got a directory"));
+  write_file(folder / "a.bin", "");
+  fs::create_directory(folder / "b.bin");
+  fs::create_symlink("gone", folder / "c.bin");
+  fs::create_symlink("d.bin", folder / "d.bin");
+  const ScanSequence sequence = find_sequences(folder.path()).front();
+  ASSERT_EQ(scans_of(sequence), (Names{"a", "b", "c", "d"}));
+  const std::array reasons{"b.bin: expected a file, got a directory",
+                           "c.bin: expected a file, got nothing of that name",
+                           "d.bin: expected a regular file, got Too many levels of symbolic links"};
+  for (std::size_t i = 0; i < reasons.size(); ++i)
+    EXPECT_TRUE(
+        contains(test::error_of(sequence.scans[i + 1].path, ScanFormat::kitti), reasons[i]));
 }
 
-TEST(PlainScans, EndLoopsOfLinks) {
+TEST(PlainScans, MustBeFilesWhereTheyAreTheInputItself) {
   const test::TemporaryFolder folder;
-  fs::create_symlink(folder / "b.bin", folder / "a.bin");
-  fs::create_symlink(folder / "a.bin", folder / "b.bin");
-  for (const fs::path& input : {folder.path(), folder / "a.bin"})
-    EXPECT_TRUE(contains(message_of<Error>([&] { find_sequences(input); }),
-                         "Too many levels of symbolic links"));
+  fs::create_symlink("gone", folder / "a.bin");
+  EXPECT_TRUE(contains(message_of<Error>([&] { find_sequences(folder / "a.bin"); }),
+                       "got nothing of that name; check the path"));
+  fs::create_symlink("b.bin", folder / "b.bin");
+  EXPECT_TRUE(contains(message_of<Error>([&] { find_sequences(folder / "b.bin"); }),
+                       "got Too many levels of symbolic links; check the path"));
 }
 
-TEST(PlainScans, MustBeReadable) {
-  const test::TemporaryFolder folder;
-  fs::create_symlink(folder / "gone", folder / "a.bin");
-  EXPECT_TRUE(contains(message_of<Error>([&] { find_sequences(folder.path()); }),
-                       "a.bin: expected a file, got nothing of that name"));
+/// Takes the process to a folder that is then removed, and back at the end.
+class GoneWorkingFolder {
+ public:
+  GoneWorkingFolder() {
+    const test::TemporaryFolder folder;
+    fs::current_path(folder.path());
+  }
+  ~GoneWorkingFolder() { fs::current_path(before_); }
+  GoneWorkingFolder(const GoneWorkingFolder&) = delete;
+  GoneWorkingFolder& operator=(const GoneWorkingFolder&) = delete;
+
+ private:
+  fs::path before_ = fs::current_path();
+};
+
+TEST(PlainScans, AreNotSoughtInAFolderThatIsGone) {
+  const GoneWorkingFolder gone;
+  EXPECT_TRUE(contains(message_of<Error>([] { find_sequences("."); }),
+                       ".: expected a readable folder, got No such file"));
 }
 
 TEST(PlainScans, MayHaveAnyEndingWhereTheFormatIsSaid) {
@@ -248,6 +281,26 @@ TEST(ScanLists, GiveScansInTheirOwnOrder) {
   EXPECT_EQ(sequence.scans[1].format, ScanFormat::ply);
   EXPECT_EQ(sequence.scans[1].number, 5U);
   EXPECT_EQ(sequence.scans[2].index, 2U);
+}
+
+TEST(ScanLists, AreToldByTheirEndingInAnyCase) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "A.BIN", "");
+  for (const char* const list : {"scans.TXT", "scans.Lst"}) {
+    write_file(folder / list, "A.BIN\n");
+    EXPECT_EQ(scans_of(find_sequences(folder / list).front()), (Names{"A"})) << list;
+  }
+}
+
+TEST(ScanLists, MayBeginWithAByteOrderMark) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "a.bin", "");
+  write_file(folder / "scans.txt",
+             "\xEF\xBB\xBF"
+             "a.bin\n");
+  EXPECT_EQ(scans_of(find_sequences(folder / "scans.txt").front()), (Names{"a"}));
+  write_file(folder / "comment.txt", "\xEF\xBB\xBF# one\na.bin\n");
+  EXPECT_EQ(scans_of(find_sequences(folder / "comment.txt").front()), (Names{"a"}));
 }
 
 TEST(ScanLists, NameThemselvesTheLineAndTheMissingFile) {

@@ -68,6 +68,21 @@ TEST_F(Segment, NoticesAFullDiskAndLeavesNoHalfFile) {
   EXPECT_EQ(files_below(output()), (Names{"timing.csv"}));
 }
 
+TEST_F(Segment, OutlivesTheSignalOfALimitedFileSize) {
+  dataset.add_sequence("00", 2);
+  const ProgramRun run = segment("", "ulimit -f 8; ");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(files_below(output()), (Names{"timing.csv"}));
+}
+
+TEST_F(Segment, NamesAFolderInPlaceOfItsRecord) {
+  dataset.add_sequence("00", 1);
+  test::write_file(output() / "run.json/file", "in the way");
+  const ProgramRun run = segment();
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, "run.json: expected a file that can be replaced"));
+}
+
 TEST_F(Segment, NoticesThatStandardOutputIsFull) {
   dataset.add_sequence("00", 1);
   const ProgramRun run = run_program(

@@ -1,5 +1,8 @@
 // Other layouts, poses, mountings and outputs than a KITTI dataset's.
-#include "io/labelled_cloud.hpp"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
 #include "io/scan_file.hpp"
 #include "segment_fixture.hpp"
 #include "shared_data.hpp"
@@ -30,6 +33,16 @@ class SegmentInput : public Segment {
     fs::path path = folder / "scans" / (name + ".bin");
     test::write_numbers(path, test::SyntheticScan().points);
     return path;
+  }
+
+  // The synthetic scan as a LiDAR that hangs upside down sees it.
+  static std::vector<float> turned_over() {
+    std::vector<float> points = test::SyntheticScan().points;
+    for (std::size_t i = 0; i < points.size(); i += 4) {
+      points[i + 1] = -points[i + 1];
+      points[i + 2] = -points[i + 2];
+    }
+    return points;
   }
 
   [[nodiscard]] std::string labels(const std::string& name) const {
@@ -147,15 +160,55 @@ TEST_F(SegmentInput, CalibrationMakesLidarPosesOfCameraPoses) {
 
 TEST_F(SegmentInput, AnUpsideDownLidarGivesTheSameLabels) {
   ASSERT_EQ(segment_input(plain_scan("a")).exit_code, 0);
-  std::vector<float> points = test::SyntheticScan().points;
-  for (std::size_t i = 0; i < points.size(); i += 4) {
-    points[i + 1] = -points[i + 1];
-    points[i + 2] = -points[i + 2];
-  }
-  test::write_numbers(folder / "scans/b.bin", points);
+  test::write_numbers(folder / "scans/b.bin", turned_over());
   const ProgramRun run = segment_input(folder / "scans/b.bin", "--lidar-rpy-deg 180,0,0");
   ASSERT_EQ(run.exit_code, 0) << run.words;
   EXPECT_EQ(labels("b"), labels("a"));
+}
+
+// The same street with the LiDAR upside down: y and z of its points, and its side of Tr.
+TEST_F(SegmentInput, AnUpsideDownLidarGivesTheSameLabelsWithPoses) {
+  dataset.add_sequence("00", 3);
+  ASSERT_EQ(segment().exit_code, 0);
+  const fs::path file = output() / "sequences/00/predictions/000002.label";
+  const std::string upright = read_file(file);
+  for (std::size_t scan = 0; scan < 3; ++scan)
+    test::write_numbers(dataset.scan_file("00", scan), turned_over());
+  const fs::path sequence = dataset.folder / "sequences/00";
+  test::write_file(sequence / "calib.txt", "Tr: 0 1 0 0 0 0 1 -0.08 1 0 0 -0.27\n");
+  const ProgramRun run = segment("--lidar-rpy-deg 180,0,0");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(read_file(file), upright);
+  // Poses relative to the first LiDAR, then in a map whose z is up.
+  for (const std::string poses :
+       {"1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n",
+        "1 0 0 0 0 -1 0 0 0 0 -1 0\n1 0 0 1 0 -1 0 0 0 0 -1 0\n1 0 0 2 0 -1 0 0 0 0 -1 0\n"}) {
+    test::write_file(folder / "poses.txt", poses);
+    ASSERT_EQ(
+        segment("--lidar-rpy-deg 180,0,0 --poses " + shell_word(folder / "poses.txt")).exit_code,
+        0);
+    EXPECT_EQ(read_file(file), upright) << poses;
+  }
+}
+
+TEST_F(SegmentInput, RefusesPosesThatLayTheVehicleOnItsSide) {
+  (void)plain_scan("000000");
+  test::write_file(folder / "poses.txt", "1 0 0 0 0 0 -1 0 0 1 0 0\n");
+  const ProgramRun run =
+      segment_input(folder / "scans", "--poses " + shell_word(folder / "poses.txt"));
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, "000000.bin: expected a pose that stands upright"));
+  EXPECT_TRUE(contains(run.words, "leans by 90 degrees"));
+}
+
+TEST_F(SegmentInput, WarnsWhereACamerasPosesAreTakenForTheLidars) {
+  (void)plain_scan("000000");
+  (void)plain_scan("000001");
+  test::write_file(folder / "poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 6\n");
+  const ProgramRun run =
+      segment_input(folder / "scans", "--poses " + shell_word(folder / "poses.txt"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.words, "the poses climb 6.0 m and advance 0.0 m"));
 }
 
 TEST_F(SegmentInput, AnglesOfTheLidarMayBeNegative) {
@@ -176,6 +229,40 @@ TEST_F(SegmentInput, WarnsWhereNoPointHasAnAnswer) {
     EXPECT_TRUE(contains(run.words, "none of its 50 points has an answer"));
     EXPECT_EQ(labels(name), std::string(200, '\0'));
   }
+}
+
+TEST_F(SegmentInput, NeverOverwritesAScanWithItsLabels) {
+  fs::rename(plain_scan("a"), folder / "scans/a.label");
+  const std::string before = read_file(folder / "scans/a.label");
+  const ProgramRun run = run_program("segment " + shell_word(folder / "scans/a.label") +
+                                     " --format kitti --output " + shell_word(folder / "scans"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_EQ(read_file(folder / "scans/a.label"), before);
+}
+
+TEST_F(SegmentInput, TouchesNothingWhereItCannotWriteWhatIsAskedFor) {
+  ASSERT_EQ(segment_input(plain_scan("a")).exit_code, 0);
+  const std::string before = read_file(output() / "run.json");
+  EXPECT_EQ(segment_input(plain_scan("a"), "--clouds same").exit_code, 2);
+  EXPECT_EQ(read_file(output() / "run.json"), before);
+}
+
+TEST_F(SegmentInput, PassesOverScansThatAreNoFiles) {
+  const fs::path scan = plain_scan("a");
+  fs::create_symlink("nothing.bin", folder / "scans/b.bin");
+  fs::create_symlink("c.bin", folder / "scans/c.bin");
+  fs::create_directories(folder / "scans/d.bin");
+  const ProgramRun run = segment_input(folder / "scans", "--keep-going");
+  EXPECT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(record()["skipped_scans"], 3);
+}
+
+TEST_F(SegmentInput, KeepsTimingOfNamesWithLineEnds) {
+  const fs::path scan = plain_scan("two\nlines");
+  ASSERT_EQ(segment_input(scan).exit_code, 0);
+  ASSERT_EQ(segment_input(scan).exit_code, 0);
+  const std::string text = timing();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
 }
 
 TEST_F(SegmentInput, NamesALoopOfLinksAndAFolderThatIsNoFile) {

@@ -126,7 +126,7 @@ TEST_P(Interrupted, EndsInGoodOrder) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupted,
-                         ::testing::Combine(::testing::Values(SIGINT, SIGTERM),
+                         ::testing::Combine(::testing::Values(SIGINT, SIGTERM, SIGHUP),
                                             ::testing::Values(nullptr, "--terrain")));
 
 }  // namespace

@@ -33,6 +33,19 @@ TEST_F(Segment, SaysWhatToDoWithoutPoses) {
   EXPECT_EQ(record()["single_scan"], true);
 }
 
+TEST_F(Segment, NamesALoopOfLinksInPlaceOfPoses) {
+  dataset.add_sequence("00", 1);
+  dataset.add_sequence("01", 1);
+  const fs::path poses = dataset.folder / "sequences/00/poses.txt";
+  fs::remove(poses);
+  fs::create_symlink("poses.txt", poses);
+  const ProgramRun run = segment();
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(contains(run.words, poses.string() + ": expected"));
+  ASSERT_EQ(segment("--keep-going").exit_code, 0);
+  EXPECT_EQ(record()["skipped_sequences"][0]["sequence"], "00");
+}
+
 TEST_F(Segment, ReadsAllPosesBeforeTheFirstScan) {
   dataset.add_sequence("00", 1);
   dataset.add_sequence("01", 3);

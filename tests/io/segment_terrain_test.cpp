@@ -77,6 +77,29 @@ TEST_F(Segment, TerrainFlagsNeedEachOther) {
   EXPECT_EQ(segment("--terrain --origin 1,2,inf").exit_code, 2);
 }
 
+TEST_F(Segment, DoesWithoutTerrainWhereNoScanShowsGround) {
+  dataset.add_sequence("00", 1);
+  dataset.add_sequence("01", 1);
+  test::write_numbers(dataset.scan_file("00", 0), std::vector<float>(400, std::nanf("")));
+  const ProgramRun run = segment("--terrain");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_TRUE(contains(run.words, "not written, since no scan showed any ground"));
+  EXPECT_EQ(record()["sequences"][0]["terrain"], nullptr);
+  EXPECT_EQ(record()["sequences"][1]["terrain"], "sequences/01/terrain.tif");
+}
+
+// So far away that the raster between would fill the disk.
+TEST_F(Segment, KeepsTheLabelsWhereTheTerrainIsTooLargeIfAskedTo) {
+  dataset.add_sequence("00", 2);
+  test::write_file(dataset.folder / "sequences/00/poses.txt",
+                   "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 1e8\n");
+  EXPECT_EQ(segment("--terrain").exit_code, 1);
+  const ProgramRun run = segment("--terrain --keep-going");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(record()["counts"]["scans"], 2);
+  EXPECT_EQ(record()["sequences"][0]["terrain"], nullptr);
+}
+
 TEST_F(Segment, AFailedRunLeavesNoTerrain) {
   dataset.add_sequence("00", 3);
   fs::resize_file(dataset.scan_file("00", 2), 100);

@@ -33,6 +33,8 @@ TEST_F(Segment, RecordsTheRun) {
   ASSERT_EQ(segment("--preset paper --cell-size-m 0.4").exit_code, 0);
   const json run = record();
   EXPECT_EQ(run["complete"], true);
+  EXPECT_EQ(run["arguments"][0], "segment");
+  EXPECT_EQ(run["arguments"].back(), "0.4");
   EXPECT_EQ(run["preset"], "paper");
   EXPECT_EQ(run["config"]["cell_size_m"], 0.4);
   EXPECT_EQ(run["config"]["sensor_height_m"], nullptr);

@@ -47,6 +47,16 @@ TEST(Usage, AnArrayInAParameterFileIsNoValue) {
   EXPECT_TRUE(contains(run.words, "map_extent_m"));
 }
 
+TEST(Usage, AValueOutOfRangeInAParameterFileIsPlaced) {
+  const test::TemporaryFolder folder;
+  test::write_file(folder / "p.toml", "# metres\ncell_size_m = 1e9\n");
+  const ProgramRun run =
+      run_program("evaluate /tmp --config " + test::shell_word(folder / "p.toml"));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.words, (folder / "p.toml").string() + ", line 2: "));
+  EXPECT_TRUE(contains(run.words, "cell_size_m"));
+}
+
 class BadInput : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadInput, EndsWithOneAndWordsOnStandardError) {
