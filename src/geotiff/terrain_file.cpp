@@ -55,7 +55,7 @@ GDALDataset* create(const std::filesystem::path& path, const RasterGrid& grid) {
 
 TerrainFile::TerrainFile(const std::filesystem::path& path, const RasterGrid& grid,
                          const std::optional<OGRSpatialReference>& crs)
-    : path_(path), file_(path), grid_(grid) {
+    : file_(path), grid_(grid) {
   check_size(path, grid);
   dataset_.reset(create(file_.hidden(), grid));
   check(dataset_ != nullptr);
@@ -102,7 +102,14 @@ void TerrainFile::commit() {
 
 void TerrainFile::check(bool succeeded) const {
   if (succeeded && errors_.first().empty()) return;
-  fail_to_write(path_, errors_.first().empty() ? "an error without a word" : errors_.first());
+  io::fail_to_write(file_.path(),
+                    errors_.first().empty() ? "an error without a word" : errors_.first());
+}
+
+void fail_without_terrain(const std::filesystem::path& path) {
+  throw io::Error({.file = path,
+                   .expected = "terrain to write",
+                   .got = "a map in which no scan has shown any ground"});
 }
 
 }  // namespace groundgrid::geotiff

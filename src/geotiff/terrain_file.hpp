@@ -9,8 +9,8 @@
 #include "geotiff/cell_range.hpp"
 #include "geotiff/gdal_errors.hpp"
 #include "geotiff/geotiff_driver.hpp"
-#include "geotiff/hidden_file.hpp"
 #include "geotiff/terrain_block.hpp"
+#include "io/hidden_file.hpp"
 
 namespace groundgrid::geotiff {
 
@@ -52,11 +52,13 @@ class TerrainFile {
   void check(bool succeeded) const;
 
   // In the order of their making: what GDAL says while it closes must still find a listener.
-  std::filesystem::path path_;
   GdalErrors errors_;
-  HiddenFile file_;
+  io::HiddenFile file_;
   RasterGrid grid_;
   DatasetPtr dataset_;
 };
+
+/// An io::Error for a file to be that would hold no cell.
+[[noreturn]] void fail_without_terrain(const std::filesystem::path& path);
 
 }  // namespace groundgrid::geotiff

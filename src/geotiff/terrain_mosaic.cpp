@@ -8,7 +8,6 @@
 
 #include "geotiff/cell_range.hpp"
 #include "geotiff/crs.hpp"
-#include "geotiff/hidden_file.hpp"
 #include "geotiff/terrain_file.hpp"
 #include "geotiff/tile_store.hpp"
 #include "geotiff/view_check.hpp"

@@ -1,7 +1,6 @@
 #include "geotiff/terrain_raster.hpp"
 
 #include "geotiff/crs.hpp"
-#include "geotiff/hidden_file.hpp"
 #include "geotiff/terrain_file.hpp"
 #include "geotiff/view_check.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <type_traits>
 
-#include "geotiff/hidden_file.hpp"
 #include "io/error.hpp"
+#include "io/hidden_file.hpp"
 
 namespace groundgrid::geotiff {
 namespace {
@@ -22,7 +22,7 @@ int open_without_name(const std::filesystem::path& result) {
   std::string name =
       (result.parent_path() / fmt::format(".{}.tiles.XXXXXX", result.filename().string())).string();
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0) fail_to_write(result, io::system_message(errno));
+  if (file < 0) io::fail_to_write(result, io::system_message(errno));
   ::unlink(name.c_str());
   return file;
 }
@@ -89,7 +89,7 @@ void TileStore::write(Index index, const MosaicTile& tile) {
     const ssize_t written =
         ::pwrite(file_, bytes + done, sizeof(MosaicTile) - done, place + static_cast<off_t>(done));
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail_to_write(result_, io::system_message(errno));
+    if (written <= 0) io::fail_to_write(result_, io::system_message(errno));
     done += static_cast<std::size_t>(written);
   }
   places_.emplace(index, place);

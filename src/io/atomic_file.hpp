@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "io/hidden_file.hpp"
+
 namespace groundgrid::io {
 
 /// A file that appears complete or not at all: it is written beside its place under a hidden name
@@ -32,8 +34,7 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(int error_number) const;
 
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  HiddenFile place_;
   std::FILE* file_ = nullptr;
 };
 

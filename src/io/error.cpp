@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
 namespace groundgrid::io {
 namespace {
+
+// The names of files and what stands in them may hold anything, but shall not steer a terminal.
+bool is_control(char letter) { return (letter >= 0 && letter < ' ') || letter == '\x7f'; }
 
 std::string sentence(const ErrorDetails& details) {
   std::string text = details.file.string();
@@ -14,6 +18,7 @@ std::string sentence(const ErrorDetails& details) {
   if (details.offset) text += fmt::format(", byte {}", *details.offset);
   text += fmt::format(": expected {}, got {}", details.expected, details.got);
   if (!details.remedy.empty()) text += fmt::format("; {}", details.remedy);
+  std::replace_if(text.begin(), text.end(), is_control, '?');
   return text;
 }
 

@@ -20,7 +20,8 @@ struct ErrorDetails {
 };
 
 /// A file that cannot be read, written or understood. what() is one sentence that names the file,
-/// the place in it, what was expected and found, and then the remedy.
+/// the place in it, what was expected and found, and then the remedy, with '?' for every control
+/// character of ASCII. details() keeps them.
 class Error : public std::runtime_error {
  public:
   explicit Error(ErrorDetails details);

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <clocale>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
 #include "io/text.hpp"
@@ -13,6 +16,13 @@ namespace {
 
 constexpr double kRigidTolerance = 1e-3;
 
+// std::from_chars does not say on which side a number is out of range. In the locale C, so that
+// the decimal point is one in every country.
+double number_out_of_range(std::string_view word) {
+  static const locale_t c_locale = ::newlocale(LC_ALL_MASK, "C", locale_t{});
+  return ::strtod_l(std::string(word).c_str(), nullptr, c_locale);
+}
+
 }  // namespace
 
 std::string_view without_plus(std::string_view number) {
@@ -20,14 +30,21 @@ std::string_view without_plus(std::string_view number) {
   return number;
 }
 
+std::optional<double> parse_number(std::string_view word) {
+  word = without_plus(word);
+  double number = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  if (stop != end || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc::result_out_of_range ? number_out_of_range(word) : number;
+}
+
 std::optional<std::vector<double>> parse_numbers(std::string_view line) {
   std::vector<double> numbers;
-  for (std::string_view word : split_words(line)) {
-    word = without_plus(word);
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-    numbers.push_back(number);
+  for (const std::string_view word : split_words(line)) {
+    const auto number = parse_number(word);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
   }
   return numbers;
 }

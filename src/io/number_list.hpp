@@ -13,6 +13,10 @@ namespace groundgrid::io {
 /// A number as std::from_chars takes it: without the '+' that may stand before it.
 std::string_view without_plus(std::string_view number);
 
+/// A text that is a number, maybe with a '+' before it, nan or inf, and nothing else. What a double
+/// does not hold becomes infinite or zero, as it does in a computation.
+std::optional<double> parse_number(std::string_view word);
+
 /// The numbers in a line of text, separated by blanks and read the same in every locale; nothing
 /// where a word is no number.
 std::optional<std::vector<double>> parse_numbers(std::string_view line);

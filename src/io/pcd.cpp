@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <liblzf/lzf.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -84,7 +85,11 @@ void scatter(const std::byte* plane, std::size_t points, std::size_t stride, std
 
 // Compressed points lie field by field: all x, then all y, and so on.
 void read_compressed_records(InputFile& file, PointCloud& cloud) {
-  if (cloud.size() == 0) return;
+  if (cloud.size() == 0) {
+    // Some write the sizes of nothing, some do not.
+    file.skip(std::min<std::uintmax_t>(file.remaining(), sizeof(CompressedSizes)));
+    return;
+  }
   const std::vector<std::byte> planes = uncompress(file, read_sizes(file, cloud));
   file.resize(cloud.data, cloud.size() * cloud.stride_bytes);
   const std::byte* plane = planes.data();
@@ -141,6 +146,7 @@ void read_pcd(const std::filesystem::path& path, PointCloud& cloud) {
   read_pcd_header(file, cloud);
   name_coordinates(path, cloud);
   read_records(file, cloud);
+  cloud.surplus_bytes = static_cast<std::size_t>(file.remaining());
   drop_padding(cloud);
 }
 

@@ -37,6 +37,12 @@ std::size_t find_vertices(const InputFile& file, Elements elements) {
                .got = others.empty() ? "no element" : fmt::format("the elements{}", others)});
 }
 
+bool have_records(Elements elements) {
+  return std::any_of(elements.begin(), elements.end(), [](const PlyElement& element) {
+    return element.count > 0 && !element.properties.empty();
+  });
+}
+
 void add_fields(const InputFile& file, const PlyElement& vertices, PointCloud& cloud) {
   for (const PlyProperty& property : vertices.properties) {
     if (property.count_type)
@@ -128,6 +134,8 @@ void read_ply(const std::filesystem::path& path, PointCloud& cloud) {
     read_text(file, elements.first(vertices), cloud);
   else
     read_binary(file, elements.first(vertices), cloud);
+  if (!have_records(elements.subspan(vertices + 1)))
+    cloud.surplus_bytes = static_cast<std::size_t>(file.remaining());
 }
 
 }  // namespace groundgrid::io

@@ -52,6 +52,10 @@ struct PointCloud {
   std::vector<std::byte> data{};  ///< size() records, row by row.
   CloudEncoding encoding = CloudEncoding::binary;
   std::string viewpoint{};  ///< PCD's VIEWPOINT as written; empty where there is none.
+  /// Bytes of a binary PCD or PLY file after all that its header promises: a sign that the header
+  /// is wrong. 0 where further elements follow the vertices of a PLY file, since these are not
+  /// read.
+  std::size_t surplus_bytes = 0;
 
   [[nodiscard]] std::size_t size() const { return width * height; }
 

@@ -11,6 +11,12 @@
 #include "io/text.hpp"
 
 namespace groundgrid::io {
+namespace {
+
+constexpr const char* kRemedy =
+    "a .txt or .lst file is a list of scans; give a scan another ending";
+
+}  // namespace
 
 bool is_scan_list(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
@@ -28,15 +34,19 @@ std::vector<ListedFile> read_scan_list(const std::filesystem::path& path) {
     try {
       require_regular_file(files.back().path);
     } catch (const Error& problem) {
-      throw Error({.file = path,
-                   .line = i + 1,
-                   .expected = "the path of a scan, relative to the folder of the list",
-                   .got = fmt::format("{}, which is {}", files.back().path.string(),
-                                      problem.details().got)});
+      throw Error(
+          {.file = path,
+           .line = i + 1,
+           .expected = "the path of a scan, relative to the folder of the list",
+           .got = fmt::format("{}, which is {}", files.back().path.string(), problem.details().got),
+           .remedy = kRemedy});
     }
   }
   if (files.empty())
-    throw Error({.file = path, .expected = "the path of one scan a line", .got = "no path"});
+    throw Error({.file = path,
+                 .expected = "the path of one scan a line",
+                 .got = "no path",
+                 .remedy = kRemedy});
   return files;
 }
 

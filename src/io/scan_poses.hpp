@@ -28,10 +28,10 @@ class ScanPoses {
   ///
   /// TUM poses are interpolated at a scan's time where the sequence has times.txt: on a straight
   /// line, and about one axis; up to 0.1 s before the first and after the last it is that one.
-  /// Otherwise, and
-  /// in KITTI form always, a line belongs to the scan of its number where every number has a line,
-  /// else to the scan of its place in order where there are as many lines as scans. Throws Error
-  /// where a file cannot be read, a line is no pose, or the lines cannot be matched.
+  /// Otherwise, and in KITTI form always, a line belongs to the scan of its number where every
+  /// number has a line, else to the scan of its place in order where there are as many lines as
+  /// scans. Throws Error where a file cannot be read, a line is no pose, or the lines cannot be
+  /// matched.
   static ScanPoses from_file(const std::filesystem::path& poses, const ScanSequence& sequence,
                              const std::optional<std::filesystem::path>& calibration = {});
 

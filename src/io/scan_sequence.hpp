@@ -43,7 +43,8 @@ struct ScanSequence {
 ///    scans of another format there), its folder `sequences`, or one sequence's folder;
 ///  - a folder of scans, or one scan;
 ///  - a list: a text file (.txt or .lst) with the path of one scan a line, relative to the folder
-///    of the list. Blank lines and those that begin with '#' do not count.
+///    of the list. Blank lines and those that begin with '#' do not count. A file of that ending
+///    is always a list: `format` is then that of the scans in it.
 /// With `names`, only those sequences, in that order ("0" finds "00"). The format of each scan is
 /// that of its name; with `format` it is that one, for every file with the ending of any format and
 /// for one that is given by its name, whatever its ending. An entry of a folder counts by its name

@@ -21,20 +21,22 @@ namespace groundgrid::io {
 namespace {
 
 template <typename Number>
-std::errc parse_whole(std::string_view word, Number& number) {
+bool parse_whole(std::string_view word, Number& number) {
+  word = without_plus(word);
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, number);
-  return error == std::errc{} && stop != end ? std::errc::invalid_argument : error;
+  return error == std::errc{} && stop == end;
 }
 
 bool parse(std::string_view word, double& number) {
-  return parse_whole(word, number) == std::errc{};
+  const auto value = parse_number(word);
+  if (value) number = *value;
+  return value.has_value();
 }
 
 // What is beyond the range of a float becomes infinite or zero, as it does in a computation.
 bool parse(std::string_view word, float& number) {
-  const std::errc error = parse_whole(word, number);
-  if (error != std::errc::result_out_of_range) return error == std::errc{};
+  if (parse_whole(word, number)) return true;
   double wide = 0.0;
   if (!parse(word, wide)) return false;
   number = static_cast<float>(wide);
@@ -44,7 +46,7 @@ bool parse(std::string_view word, float& number) {
 // Programs that know floats only write whole numbers as 3.0 or 3e0.
 template <typename Integer>
 bool parse(std::string_view word, Integer& number) {
-  if (parse_whole(word, number) == std::errc{}) return true;
+  if (parse_whole(word, number)) return true;
   using Limits = std::numeric_limits<Integer>;
   double wide = 0.0;
   if (!parse(word, wide) || wide != std::trunc(wide) || wide < static_cast<double>(Limits::min()) ||
@@ -63,8 +65,7 @@ bool parse_to(std::string_view word, std::byte* place) {
 }
 
 bool parse_to(FieldType type, std::string_view word, std::byte* place) {
-  const std::string_view number = without_plus(word);
-  return with_number(type, [&](auto zero) { return parse_to<decltype(zero)>(number, place); });
+  return with_number(type, [&](auto zero) { return parse_to<decltype(zero)>(word, place); });
 }
 
 template <typename Number>

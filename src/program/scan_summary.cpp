@@ -124,7 +124,8 @@ ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot) {
                       .encoding = cloud.encoding,
                       .width = cloud.width,
                       .height = cloud.height,
-                      .points = cloud.size()};
+                      .points = cloud.size(),
+                      .surplus_bytes = cloud.surplus_bytes};
   for (const io::PointField& field : cloud.fields)
     summary.fields.push_back(field_summary(cloud, field));
   std::vector<float> xyz;
@@ -141,6 +142,10 @@ std::vector<std::string> ScanSummary::remarks() const {
   if (points == 0) remarks.emplace_back("The file holds no points.");
   if (points > 0 && usable == 0)
     remarks.emplace_back("No point is a measurement: all are NaN, infinite or at the origin.");
+  if (surplus_bytes > 0)
+    remarks.push_back(fmt::format(
+        "{} bytes after the last point are left out: does the header promise too few points?",
+        surplus_bytes));
   if (looks_flipped)
     remarks.emplace_back(
         "z looks flipped: the ground is above the LiDAR. Is it mounted upside down? Then "
@@ -203,6 +208,7 @@ Json to_json(const ScanSummary& s) {
             {"max", or_null(s.greatest_range_m)}}},
           {"elevation_deg",
            {{"min", or_null(s.least_elevation_deg)}, {"max", or_null(s.greatest_elevation_deg)}}},
+          {"surplus_bytes", s.surplus_bytes},
           {"outside_map", s.outside_map},
           {"sensor_height_m", s.sensor_height_m ? Json(*s.sensor_height_m) : Json(nullptr)},
           {"looks_flipped", s.looks_flipped},

@@ -11,9 +11,9 @@
 
 #include "io/error.hpp"
 #include "io/temporary_folder.hpp"
-#include "limited_file_size.hpp"
 #include "read_raster.hpp"
 #include "small_map.hpp"
+#include "support/limited_file_size.hpp"
 
 namespace groundgrid::geotiff {
 namespace {

@@ -1,11 +1,9 @@
 #include "io/atomic_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "io/error.hpp"
+#include "support/limited_file_size.hpp"
 #include "temporary_folder.hpp"
 
 namespace groundgrid::io {
@@ -16,27 +14,6 @@ using test::files_below;
 using test::message_of;
 using test::Names;
 using test::read_file;
-
-/// Makes writing fail as on a full disk, beyond a number of bytes a file.
-class LimitedFileSize {
- public:
-  explicit LimitedFileSize(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limited);
-    handler_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~LimitedFileSize() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  LimitedFileSize(const LimitedFileSize&) = delete;
-  LimitedFileSize& operator=(const LimitedFileSize&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int) = nullptr;
-};
 
 TEST(AtomicFile, AppearsOnlyWhenComplete) {
   const test::TemporaryFolder folder;
@@ -88,7 +65,7 @@ TEST_P(FullDisk, IsNoticedAndLeavesTheOldFile) {
   const test::TemporaryFolder folder;
   test::write_file(folder / "a.txt", "old");
   {
-    const LimitedFileSize limit(100);
+    const test::LimitedFileSize limit(100);
     EXPECT_TRUE(contains(
         message_of<Error>([&] { write_text(folder / "a.txt", std::string(GetParam(), 'x')); }),
         "a.txt: expected a place to write to, got File too large"));

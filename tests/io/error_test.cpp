@@ -21,6 +21,17 @@ TEST(Error, LeavesOutWhatIsNotKnown) {
                "x, byte 16: expected more, got less");
 }
 
+TEST(Error, SendsNoControlCharactersToATerminal) {
+  const std::string file("a\x1b]0;b\x07\n\x7f\0", 10);
+  const Error error({.file = file, .expected = "a\tb", .got = "\x1b[2J", .remedy = "c\rd"});
+  EXPECT_STREQ(error.what(), "a?]0;b????: expected a?b, got ?[2J; c?d");
+  EXPECT_EQ(error.details().file, file);
+  EXPECT_EQ(error.details().got, "\x1b[2J");
+  // Letters beyond ASCII stay.
+  EXPECT_STREQ(Error({.file = "Stra\u00dfe", .expected = "\u2264 1", .got = "2"}).what(),
+               "Stra\u00dfe: expected \u2264 1, got 2");
+}
+
 TEST(ErrorText, ShowsWhatIsPrintableOfAFile) {
   EXPECT_EQ(in_quotes("DATA zipped"), "'DATA zipped'");
   EXPECT_EQ(in_quotes(std::string_view("\x00\x1f\x7f\xc3\xa4~ ", 7)), "'?????~ '");

@@ -142,6 +142,18 @@ TEST_F(Info, CountsPointsThatAreNoMeasurement) {
   EXPECT_NEAR(scan["range_m"]["max"].get<double>(), std::sqrt(26.0), 1e-6);
 }
 
+TEST_F(Info, SeesThatAHeaderPromisesTooFewPoints) {
+  test::write_file(
+      dataset.folder / "long.pcd",
+      "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\nPOINTS 1\n"
+      "DATA binary\n" +
+          std::string(36, '\1'));
+  const json scan = info_json(dataset.folder / "long.pcd")["sequences"][0]["first_scan"];
+  EXPECT_EQ(scan["points"], 1);
+  EXPECT_EQ(scan["surplus_bytes"], 24);
+  EXPECT_TRUE(contains(scan["remarks"][0].get<std::string>(), "24 bytes after the last point"));
+}
+
 TEST_F(Info, FailsWhereNothingCanBeRead) {
   test::write_file(dataset.folder / "cut.bin", "seven b");
   const ProgramRun run = info(dataset.folder / "cut.bin");

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <string>
 
 namespace groundgrid::io {
 namespace {
@@ -17,6 +19,24 @@ TEST(NumberList, TakesAPlusBeforeANumber) {
   EXPECT_EQ(parse_numbers("+1.0e+00 -1 +.5"), (std::vector<double>{1.0, -1.0, 0.5}));
   for (const char* const line : {"+", "++1", "+-1", "-+1", "1 + 2"})
     EXPECT_FALSE(parse_numbers(line)) << line;
+}
+
+TEST(NumberList, TakesWhatADoubleDoesNotHoldAsZeroOrInfinite) {
+  const std::string zeros(400, '0');
+  EXPECT_EQ(parse_number("1e999"), HUGE_VAL);
+  EXPECT_EQ(parse_number("-1.5e+99999999999999999999"), -HUGE_VAL);
+  EXPECT_EQ(parse_number("+1" + zeros + "e-50"), HUGE_VAL);
+  EXPECT_EQ(parse_number("1e-999"), 0.0);
+  EXPECT_EQ(parse_number("0." + zeros + "1e50"), 0.0);
+  EXPECT_TRUE(std::signbit(parse_number("-1e-999").value()));
+  for (const char* const word : {"1e999x", "++1e999", "1e-999 ", "1e999,5"})
+    EXPECT_FALSE(parse_number(word)) << word;
+}
+
+TEST(NumberList, TakesTheOutermostNumbersAsTheyAre) {
+  EXPECT_EQ(parse_number("1.7976931348623157e308"), std::numeric_limits<double>::max());
+  EXPECT_EQ(parse_number("4.9406564584124654e-324"), std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(parse_number("1e-310"), 1e-310);
 }
 
 TEST(NumberList, RejectsWords) {

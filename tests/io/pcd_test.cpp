@@ -93,7 +93,17 @@ TEST(PcdAscii, TakesWholeNumbersThatAreWrittenAsFloats) {
   EXPECT_EQ(values_of(cloud, "ring"), (Values{3.0, 255.0}));
 }
 
-TEST(PcdAscii, TakesWhatAFloatDoesNotHoldAsZeroOrInfinite) {
+TEST(PcdAscii, TakesWhatANumberDoesNotHoldAsZeroOrInfinite) {
+  for (const std::string size : {"4", "8"})
+    for (const std::string exponent : {"999", "99999999999999999999"}) {
+      const PointCloud cloud = read("FIELDS x y z\nSIZE " + size + " " + size + " " + size +
+                                    "\nTYPE F F F\nWIDTH 1\nDATA ascii\n1e-" + exponent + " +1e" +
+                                    exponent + " -1e" + exponent + "\n");
+      EXPECT_EQ(values_of(cloud, "x")[0], 0.0) << size;
+      EXPECT_EQ(values_of(cloud, "y")[0], HUGE_VAL) << size;
+      EXPECT_EQ(values_of(cloud, "z")[0], -HUGE_VAL) << size;
+    }
+  // A double holds these, a float does not.
   const PointCloud cloud = read(xyz("WIDTH 1\n", "ascii\n1e-60 1e60 -1e60\n"));
   EXPECT_EQ(values_of(cloud, "x")[0], 0.0);
   EXPECT_EQ(values_of(cloud, "y")[0], HUGE_VAL);
@@ -103,10 +113,13 @@ TEST(PcdAscii, TakesWhatAFloatDoesNotHoldAsZeroOrInfinite) {
 TEST(PcdAscii, RejectsWhatDoesNotFitTheField) {
   const std::string header =
       "FIELDS x y z ring\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 2\nDATA ascii\n0 0 0 3\n";
-  for (const std::string word : {"256", "-1", "2.5", "nan", "x", "3x", "1e99", "0x3"})
+  for (const std::string word :
+       {"256", "-1", "2.5", "nan", "x", "3x", "1e99", "1e999", "0x3", "++3"})
     EXPECT_TRUE(contains(error(header + "0 0 0 " + word + "\n"),
                          "scan, line 7: expected a uint8 for 'ring', got '" + word + "'"));
-  EXPECT_TRUE(contains(error(header + "0 0 1e999 3\n"), "a float32 for 'z', got '1e999'"));
+  for (const std::string word : {"1e999x", "++1", "+-1", "1,5"})
+    EXPECT_TRUE(
+        contains(error(header + "0 0 " + word + " 3\n"), "a float32 for 'z', got '" + word + "'"));
   EXPECT_TRUE(contains(error(header + "0.0 0.0 0.0\n"),
                        "line 7: expected a uint8 for 'ring', got the "
                        "end of the line"));
@@ -132,8 +145,13 @@ TEST(PcdBinary, IsReadAsItLies) {
   EXPECT_EQ(std::memcmp(cloud.data.data(), points.data(), points.size()), 0);
 }
 
-TEST(PcdBinary, MayHaveBytesAfterTheLastPoint) {
-  EXPECT_EQ(read(xyz("WIDTH 1\n", "binary\r\n" + bytes_of({1, 2, 3, 4}))).size(), 1U);
+TEST(PcdBinary, CountsTheBytesAfterTheLastPoint) {
+  const PointCloud cloud = read(xyz("WIDTH 1\n", "binary\r\n" + bytes_of({1, 2, 3, 4})));
+  EXPECT_EQ(cloud.size(), 1U);
+  EXPECT_EQ(cloud.surplus_bytes, 4U);
+  EXPECT_EQ(read(xyz("WIDTH 1\n", "binary\n" + bytes_of({1, 2, 3}))).surplus_bytes, 0U);
+  EXPECT_EQ(read(xyz("WIDTH 0\n", "binary\n" + bytes_of({1, 2, 3}))).surplus_bytes, 12U);
+  EXPECT_EQ(read(xyz("WIDTH 1\n", "ascii\n1 2 3\n\n")).surplus_bytes, 0U);
 }
 
 TEST(PcdBinary, LeavesPaddingOut) {
@@ -258,8 +276,20 @@ TEST(PcdCompressed, MayHaveFieldsOfEveryWidthAndPadding) {
 TEST(PcdCompressed, MayHoldNoPoints) {
   const std::string header =
       "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nDATA binary_compressed\n";
+  // With the two sizes of nothing, without them, and with more.
   EXPECT_EQ(read(header).size(), 0U);
+  EXPECT_EQ(read(header).surplus_bytes, 0U);
   EXPECT_EQ(read(header + bytes_of(0) + bytes_of(0)).size(), 0U);
+  EXPECT_EQ(read(header + bytes_of(0) + bytes_of(0)).surplus_bytes, 0U);
+  EXPECT_EQ(read(header + bytes_of(0) + bytes_of(0) + "abc").surplus_bytes, 3U);
+}
+
+TEST(PcdCompressed, CountsTheBytesAfterTheLastPoint) {
+  const std::string content = kBytes + bytes_of(10) + bytes_of(9) + "\x08" + "abcdefghi";
+  EXPECT_EQ(read(content).surplus_bytes, 0U);
+  const PointCloud cloud = read(content + "jk");
+  EXPECT_EQ(cloud.surplus_bytes, 2U);
+  EXPECT_EQ(values_of(cloud, "z"), (Values{'g', 'h', 'i'}));
 }
 
 TEST(PcdCompressed, MustBeOfTheSizesItSays) {

@@ -133,6 +133,21 @@ TEST(PlyBinary, SkipsOtherElementsBeforeThePoints) {
   EXPECT_EQ(swapped.data, cloud.data);
 }
 
+TEST(PlyBinary, CountsTheBytesAfterTheLastRecord) {
+  const std::string begin =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 1\n"s + kXyz + "element nothing 5\n";
+  const std::string points = big(1.0F) + big(2.0F) + big(3.0F);
+  EXPECT_EQ(read(begin + "end_header\n" + points).surplus_bytes, 0U);
+  const PointCloud cloud = read(begin + "end_header\n" + points + "abcde");
+  EXPECT_EQ(cloud.surplus_bytes, 5U);
+  EXPECT_EQ(values_of(cloud, "z"), Values{3.0});
+  // Faces belong there, and are not read.
+  const std::string face = "element face 1\nproperty uchar a\n";
+  EXPECT_EQ(read(begin + face + "end_header\n" + points + "abcde").surplus_bytes, 0U);
+  const std::string no_face = "element face 0\nproperty uchar a\n";
+  EXPECT_EQ(read(begin + no_face + "end_header\n" + points + "abcde").surplus_bytes, 5U);
+}
+
 TEST(PlyBinary, HoldsWhatTheHeaderPromises) {
   const std::string begin = "ply\nformat binary_little_endian 1.0\n";
   EXPECT_TRUE(

@@ -28,6 +28,7 @@ TEST(PointCloud, IsEmptyOnceClearedButKeepsItsMemory) {
   cloud.height = 2;
   cloud.data.resize(40);
   cloud.viewpoint = "0 0 0 1 0 0 0";
+  cloud.surplus_bytes = 3;
   const std::byte* const memory = cloud.data.data();
   cloud.clear();
   EXPECT_EQ(cloud.size(), 0U);
@@ -35,6 +36,7 @@ TEST(PointCloud, IsEmptyOnceClearedButKeepsItsMemory) {
   EXPECT_EQ(cloud.stride_bytes, 0U);
   EXPECT_TRUE(cloud.fields.empty());
   EXPECT_TRUE(cloud.viewpoint.empty());
+  EXPECT_EQ(cloud.surplus_bytes, 0U);
   EXPECT_TRUE(cloud.data.empty());
   cloud.data.resize(40);
   EXPECT_EQ(cloud.data.data(), memory);

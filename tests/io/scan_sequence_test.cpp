@@ -309,7 +309,22 @@ TEST(ScanLists, NameThemselvesTheLineAndTheMissingFile) {
   write_file(folder / "scans.lst", "a.bin\n\nb.bin\n");
   const std::string message = message_of<Error>([&] { find_sequences(folder / "scans.lst"); });
   EXPECT_TRUE(contains(message, "scans.lst, line 3"));
-  EXPECT_TRUE(contains(message, (folder / "b.bin").string() + ", which is nothing of that name"));
+  EXPECT_TRUE(contains(
+      message, (folder / "b.bin").string() + ", which is nothing of that name; a .txt or .lst file "
+                                             "is a list of scans; give a scan another ending"));
+}
+
+TEST(ScanLists, AreNoScansWhateverTheFormat) {
+  const test::TemporaryFolder folder;
+  write_file(folder / "scan.txt", "1 2 3\n");
+  const std::string remedy = "a .txt or .lst file is a list of scans; give a scan another ending";
+  const auto message = [&](const char* file) {
+    return message_of<Error>([&] { find_sequences(folder / file, {}, ScanFormat::pcd); });
+  };
+  EXPECT_TRUE(contains(message("scan.txt"), "scan.txt, line 1: expected the path of a scan"));
+  EXPECT_TRUE(contains(message("scan.txt"), remedy));
+  write_file(folder / "empty.txt", "");
+  EXPECT_TRUE(contains(message("empty.txt"), remedy));
 }
 
 TEST(ScanLists, HoldScansOnly) {

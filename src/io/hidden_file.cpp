@@ -1,4 +1,4 @@
-#include "geotiff/hidden_file.hpp"
+#include "io/hidden_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -8,8 +8,9 @@
 
 #include "io/error.hpp"
 
-namespace groundgrid::geotiff {
+namespace groundgrid::io {
 
+// The process number keeps two runs into one folder from writing the same hidden file.
 HiddenFile::HiddenFile(std::filesystem::path path)
     : path_(std::move(path)),
       hidden_(path_.parent_path() /
@@ -29,16 +30,10 @@ void HiddenFile::commit() {
 }
 
 void fail_to_write(const std::filesystem::path& path, const std::string& got) {
-  throw io::Error({.file = path,
-                   .expected = "a place to write to",
-                   .got = got,
-                   .remedy = "check the folder, its rights and the space left on the disk"});
+  throw Error({.file = path,
+               .expected = "a place to write to",
+               .got = got,
+               .remedy = "check the folder, its rights and the space left on the disk"});
 }
 
-void fail_without_terrain(const std::filesystem::path& path) {
-  throw io::Error({.file = path,
-                   .expected = "terrain to write",
-                   .got = "a map in which no scan has shown any ground"});
-}
-
-}  // namespace groundgrid::geotiff
+}  // namespace groundgrid::io
