@@ -309,9 +309,9 @@ TEST(ScanLists, NameThemselvesTheLineAndTheMissingFile) {
   write_file(folder / "scans.lst", "a.bin\n\nb.bin\n");
   const std::string message = message_of<Error>([&] { find_sequences(folder / "scans.lst"); });
   EXPECT_TRUE(contains(message, "scans.lst, line 3"));
-  EXPECT_TRUE(contains(
-      message, (folder / "b.bin").string() + ", which is nothing of that name; a .txt or .lst file "
-                                             "is a list of scans; give a scan another ending"));
+  EXPECT_TRUE(contains(message, (folder / "b.bin").string() +
+                                    ", which is nothing of that name; a .txt or .lst file "
+                                    "is a list of scans; give a scan another ending"));
 }
 
 TEST(ScanLists, AreNoScansWhateverTheFormat) {
