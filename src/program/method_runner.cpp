@@ -95,7 +95,7 @@ Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
   if (!poses_) return T_map_poses_;
   Eigen::Isometry3d T_lidar_level = Eigen::Isometry3d::Identity();
   T_lidar_level.linear() = frames_.R_level_lidar.transpose();
-  const Eigen::Isometry3d T_map_base = T_map_poses_ * poses_->pose(scan) * T_lidar_level;
+  Eigen::Isometry3d T_map_base = T_map_poses_ * poses_->pose(scan) * T_lidar_level;
   require_upright(T_map_base, scan);
   return T_map_base;
 }
