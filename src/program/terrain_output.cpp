@@ -73,9 +73,9 @@ Eigen::Isometry3d TerrainOptions::T_map_level() const {
   return T_map_level;
 }
 
-TerrainOutput::TerrainOutput(const fs::path& output, const io::ScanSequence& sequence,
-                             bool single_scans, std::string crs)
-    : output_(output), place_(place_of(sequence, single_scans)), crs_(std::move(crs)) {
+TerrainOutput::TerrainOutput(fs::path output, const io::ScanSequence& sequence, bool single_scans,
+                             std::string crs)
+    : output_(std::move(output)), place_(place_of(sequence, single_scans)), crs_(std::move(crs)) {
   if (single_scans)
     make_folder(output_ / place_);
   else

@@ -40,8 +40,8 @@ class TerrainOutput {
  public:
   /// `output` is the folder of the whole run, whose parts are there already. Throws io::Error,
   /// std::invalid_argument (unknown CRS).
-  TerrainOutput(const std::filesystem::path& output, const io::ScanSequence& sequence,
-                bool single_scans, std::string crs);
+  TerrainOutput(std::filesystem::path output, const io::ScanSequence& sequence, bool single_scans,
+                std::string crs);
 
   /// Throws UsageError where the raster of a single scan would overwrite the scan.
   static void check(const std::filesystem::path& output, const io::ScanSequence& sequence,
