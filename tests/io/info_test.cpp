@@ -170,7 +170,8 @@ TEST_F(InfoOnRealData, NoRealScanLooksFlipped) {
     const ProgramRun run =
         run_program("info " + shell_word(data() / input) + " --every-scan --json");
     ASSERT_EQ(run.exit_code, 0) << run.words;
-    for (const json& sequence : json::parse(run.output)["sequences"]) {
+    const json result = json::parse(run.output);
+    for (const json& sequence : result["sequences"]) {
       EXPECT_EQ(sequence["first_scan"]["looks_flipped"], false) << sequence["first_scan"]["file"];
       EXPECT_TRUE(sequence["unreadable"].empty());
       EXPECT_EQ(sequence["scans_read"], sequence["scans"]);
