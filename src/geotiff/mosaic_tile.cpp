@@ -1,17 +1,10 @@
 #include "geotiff/mosaic_tile.hpp"
 
 #include <algorithm>
-#include <limits>
+
+#include "geotiff/saturating_sum.hpp"
 
 namespace groundgrid::geotiff {
-namespace {
-
-std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
-  const std::uint32_t sum = a + b;
-  return sum < a ? std::numeric_limits<std::uint32_t>::max() : sum;
-}
-
-}  // namespace
 
 void MosaicTile::add(std::size_t column, std::size_t row, const CellSpan& cells) {
   const std::size_t first = row * kSide + column;
@@ -30,8 +23,11 @@ void MosaicTile::add(std::size_t column, std::size_t row, const CellSpan& cells)
     weights[i] += static_cast<double>(seen);
     confidences[i] = std::max(confidences[i], seen);
   }
-  for (std::size_t i = 0; i < count; ++i)
+  std::uint32_t* const densest = most_points_around.data() + first;
+  for (std::size_t i = 0; i < count; ++i) {
     sums[i] = saturating_sum(sums[i], cells.statistics[i].count);
+    densest[i] = std::max(densest[i], cells.points_around[i]);
+  }
 }
 
 }  // namespace groundgrid::geotiff

@@ -14,6 +14,7 @@ struct CellSpan {
   std::span<const float> relative_height;
   std::span<const float> confidence;
   std::span<const CellStatistics> statistics;
+  std::span<const std::uint32_t> points_around;  ///< Of count_points_around().
   double z_origin_m;
 };
 
@@ -27,6 +28,7 @@ struct MosaicTile {
   std::array<double, kCells> weight{};           ///< Sum of confidence.
   std::array<float, kCells> confidence{};        ///< Highest that there was.
   std::array<std::uint32_t, kCells> points{};    ///< Sum; stays at its greatest value once there.
+  std::array<std::uint32_t, kCells> most_points_around{};  ///< Of a single scan.
 
   /// Adds one scan's cells, which lie in one row from (column, row) on.
   void add(std::size_t column, std::size_t row, const CellSpan& cells);

@@ -10,6 +10,14 @@
 
 namespace groundgrid::geotiff {
 
+/// What a terrain raster says of one cell, band by band; kNoData where it says nothing.
+struct TerrainPixel {
+  float height = kNoData;
+  float confidence = kNoData;
+  float count = kNoData;
+  float density = kNoData;
+};
+
 /// One block of a terrain raster with all its bands. GeoTIFF wants row 0 in the north; here cells
 /// keep the numbers that they have on their lattice, with row 0 in the south.
 class TerrainBlock {
@@ -26,12 +34,13 @@ class TerrainBlock {
 
   [[nodiscard]] const CellRange& cells() const { return cells_; }
 
-  void set(std::int64_t column, std::int64_t row, float height, float confidence, float count) {
-    const auto pixel =
+  void set(std::int64_t column, std::int64_t row, const TerrainPixel& pixel) {
+    const auto first =
         static_cast<std::size_t>((cells_.end_row - 1 - row) * kSide + column - cells_.first_column);
-    pixels_[pixel] = height;
-    pixels_[pixel + kPixels] = confidence;
-    pixels_[pixel + 2 * kPixels] = count;
+    pixels_[first] = pixel.height;
+    pixels_[first + kPixels] = pixel.confidence;
+    pixels_[first + 2 * kPixels] = pixel.count;
+    pixels_[first + 3 * kPixels] = pixel.density;
   }
 
   /// The pixels of a band, counted from 0, as GDAL wants them.

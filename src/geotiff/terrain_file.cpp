@@ -19,7 +19,7 @@ struct Band {
   const char* unit;
 };
 constexpr std::array<Band, kTerrainBands> kBands{
-    {{"height", "m"}, {"confidence", ""}, {"count", ""}}};
+    {{"height", "m"}, {"confidence", ""}, {"count", ""}, {"density", "1/m2"}}};
 
 std::int64_t blocks_over(std::int64_t cells) {
   return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;

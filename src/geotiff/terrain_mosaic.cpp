@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "geotiff/cell_range.hpp"
 #include "geotiff/crs.hpp"
+#include "geotiff/point_density.hpp"
 #include "geotiff/terrain_file.hpp"
 #include "geotiff/tile_store.hpp"
 #include "geotiff/view_check.hpp"
@@ -33,17 +36,22 @@ std::size_t cell_in_view(const TerrainView& view, std::int64_t column, std::int6
   return static_cast<std::size_t>(row * view.size + column);
 }
 
-/// The known cells of a view, counted from its corner.
-CellRange known_cells(const TerrainView& view) {
-  const auto known = [](float confidence) { return confidence > 0.0F; };
-  const auto size = static_cast<std::size_t>(view.size);
+bool is_known(float confidence) { return confidence > 0.0F; }
+
+/// The cells of a view that have a height or points around them, counted from its corner.
+CellRange told_cells(const TerrainView& view, const std::vector<std::uint32_t>& points_around) {
   CellRange all;
   for (int row = 0; row < view.size; ++row) {
-    const auto cells = view.confidence.subspan(cell_in_view(view, 0, row), size);
-    const auto first = std::find_if(cells.begin(), cells.end(), known);
-    if (first == cells.end()) continue;
-    const auto last = std::find_if(cells.rbegin(), cells.rend(), known);
-    all = hull(all, {first - cells.begin(), cells.rend() - last, row, row + 1});
+    const auto told = [&](std::int64_t column) {
+      const std::size_t cell = cell_in_view(view, column, row);
+      return is_known(view.confidence[cell]) || points_around[cell] > 0;
+    };
+    std::int64_t first = 0;
+    while (first < view.size && !told(first)) ++first;
+    if (first == view.size) continue;
+    std::int64_t end = view.size;
+    while (!told(end - 1)) --end;
+    all = hull(all, {first, end, row, row + 1});
   }
   return all;
 }
@@ -53,15 +61,29 @@ CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows)
           range.end_row + rows};
 }
 
-void copy_known(const MosaicTile& tile, const CellRange& tile_cells, TerrainBlock& block) {
+TerrainPixel pixel_of(const MosaicTile& tile, std::size_t cell, double area_m2) {
+  const bool known = tile.weight[cell] > 0.0;
+  TerrainPixel pixel;
+  if (known) {
+    pixel.height = static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]);
+    pixel.confidence = tile.confidence[cell];
+  }
+  if (known || tile.most_points_around[cell] > 0) {
+    pixel.count = static_cast<float>(tile.points[cell]);
+    pixel.density =
+        static_cast<float>(static_cast<double>(tile.most_points_around[cell]) / area_m2);
+  }
+  return pixel;
+}
+
+void copy(const MosaicTile& tile, const CellRange& tile_cells, double area_m2,
+          TerrainBlock& block) {
   const CellRange cells = overlap(tile_cells, block.cells());
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
       const auto cell = static_cast<std::size_t>((row - tile_cells.first_row) * MosaicTile::kSide +
                                                  column - tile_cells.first_column);
-      if (!(tile.weight[cell] > 0.0)) continue;
-      block.set(column, row, static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]),
-                tile.confidence[cell], static_cast<float>(tile.points[cell]));
+      block.set(column, row, pixel_of(tile, cell, area_m2));
     }
   }
 }
@@ -75,7 +97,7 @@ class TerrainMosaic::Tiles {
 
   void add(const TerrainView& view);
   void finish() const;
-  [[nodiscard]] bool empty() const { return known_.empty(); }
+  [[nodiscard]] bool empty() const { return !has_height_; }
   [[nodiscard]] std::size_t resident_bytes() const { return store_.resident_bytes(); }
 
  private:
@@ -89,7 +111,9 @@ class TerrainMosaic::Tiles {
   double cell_size_m_ = 0.0;  // 0 until the first view has come
   double origin_x_m_ = 0.0;   // outer edges of the lattice's cell (0, 0)
   double origin_y_m_ = 0.0;
-  CellRange known_;
+  CellRange told_;
+  bool has_height_ = false;
+  std::vector<std::uint32_t> points_around_;  // of the view that is being added
 };
 
 void TerrainMosaic::Tiles::place(const TerrainView& view) {
@@ -111,12 +135,15 @@ void TerrainMosaic::Tiles::add(const TerrainView& view) {
   const CellRange window{column, column + view.size, row, row + view.size};
   store_.keep_only({window.first_column - kMargin, window.end_column + kMargin,
                     window.first_row - kMargin, window.end_row + kMargin});
+  count_points_around(view, points_around_);
   const CellRange tiles = tiles_of(window);
   for (std::int64_t i = tiles.first_column; i < tiles.end_column; ++i)
     for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j)
       add_to_tile({i, j}, view, window);
-  const CellRange known = known_cells(view);
-  if (!known.empty()) known_ = hull(known_, moved(known, column, row));
+  const CellRange told = told_cells(view, points_around_);
+  if (!told.empty()) told_ = hull(told_, moved(told, column, row));
+  has_height_ =
+      has_height_ || std::any_of(view.confidence.begin(), view.confidence.end(), is_known);
 }
 
 void TerrainMosaic::Tiles::add_to_tile(TileStore::Index index, const TerrainView& view,
@@ -128,10 +155,12 @@ void TerrainMosaic::Tiles::add_to_tile(TileStore::Index index, const TerrainView
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     const std::size_t first =
         cell_in_view(view, cells.first_column - window.first_column, row - window.first_row);
-    tile.add(static_cast<std::size_t>(cells.first_column - tile_cells.first_column),
-             static_cast<std::size_t>(row - tile_cells.first_row),
-             {view.relative_height.subspan(first, count), view.confidence.subspan(first, count),
-              view.statistics.subspan(first, count), view.z_origin_m});
+    tile.add(
+        static_cast<std::size_t>(cells.first_column - tile_cells.first_column),
+        static_cast<std::size_t>(row - tile_cells.first_row),
+        {view.relative_height.subspan(first, count), view.confidence.subspan(first, count),
+         view.statistics.subspan(first, count),
+         std::span<const std::uint32_t>(points_around_).subspan(first, count), view.z_origin_m});
   }
 }
 
@@ -142,7 +171,7 @@ bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
     for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j) {
       const MosaicTile* const tile = store_.look_up({i, j}, buffer);
       if (tile == nullptr) continue;
-      copy_known(*tile, cells_of({i, j}), block);
+      copy(*tile, cells_of({i, j}), density_area_m2(cell_size_m_), block);
       filled = true;
     }
   }
@@ -152,15 +181,15 @@ bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
 void TerrainMosaic::Tiles::finish() const {
   if (empty()) fail_without_terrain(path_);
   TerrainFile file(path_,
-                   {origin_x_m_ + static_cast<double>(known_.first_column) * cell_size_m_,
-                    origin_y_m_ + static_cast<double>(known_.first_row) * cell_size_m_,
-                    cell_size_m_, known_.columns(), known_.rows()},
+                   {origin_x_m_ + static_cast<double>(told_.first_column) * cell_size_m_,
+                    origin_y_m_ + static_cast<double>(told_.first_row) * cell_size_m_, cell_size_m_,
+                    told_.columns(), told_.rows()},
                    crs_);
   const auto buffer = std::make_unique<MosaicTile>();
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {
-      block.move_to(moved(file.cells_of(column, row), known_.first_column, known_.first_row));
+      block.move_to(moved(file.cells_of(column, row), told_.first_column, told_.first_row));
       if (fill(block, *buffer)) file.write(column, row, block);
     }
   }

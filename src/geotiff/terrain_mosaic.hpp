@@ -14,13 +14,13 @@ namespace groundgrid::geotiff {
 ///
 /// Only the tiles under the rolling map are in memory; those that it leaves go to a hidden file
 /// beside the result and come back where the drive returns, so memory does not grow with the drive.
-/// That file takes 24 bytes a cell, some 40 MB a kilometre at 0.33 m cells; it has no name, so
+/// That file takes 28 bytes a cell, some 47 MB a kilometre at 0.33 m cells; it has no name, so
 /// that it is gone however the process ends.
 ///
 /// A scan tells a cell's height with the weight of its confidence there. Cells that were only
-/// interpolated have none: where no scan showed ground there is no-data instead of a guess. A cell
-/// that was seen goes on telling its height while its confidence decays, so the scans that saw it
-/// outweigh those that did not.
+/// interpolated have none: where no scan showed ground there is no height instead of a guess. A
+/// cell that was seen goes on telling its height while its confidence decays, so the scans that saw
+/// it outweigh those that did not.
 class TerrainMosaic {
  public:
   /// `path` is the GeoTIFF to be. Throws io::Error where its folder is not writable,
@@ -39,9 +39,10 @@ class TerrainMosaic {
   /// where the view does not fit the ones before.
   void add(const TerrainView& terrain);
 
-  /// Writes the GeoTIFF, complete or not at all, cropped to the cells that have a height. Areas
-  /// without any take no room in it. Throws io::Error where that fails, no scan told a height, or
-  /// the drive spans more than a raster can hold. The mosaic stays as it is and may grow further.
+  /// Writes the GeoTIFF, complete or not at all, cropped to the cells that have a height or a
+  /// density. Areas without any take no room in it. Throws io::Error where that fails, no scan told
+  /// a height, or the drive spans more than a raster can hold. The mosaic stays as it is and may
+  /// grow further.
   void finish();
 
   /// Whether no cell of any scan added had a confidence above 0, so that finish() throws.

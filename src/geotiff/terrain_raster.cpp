@@ -1,21 +1,34 @@
 #include "geotiff/terrain_raster.hpp"
 
+#include <cstdint>
+#include <vector>
+
 #include "geotiff/crs.hpp"
+#include "geotiff/point_density.hpp"
 #include "geotiff/terrain_file.hpp"
 #include "geotiff/view_check.hpp"
 
 namespace groundgrid::geotiff {
 namespace {
 
-void fill(TerrainBlock& block, const TerrainView& terrain) {
+void fill(TerrainBlock& block, const TerrainView& terrain,
+          const std::vector<std::uint32_t>& points_around) {
+  const double area_m2 = density_area_m2(terrain.cell_size_m);
   const CellRange cells = overlap(block.cells(), {0, terrain.size, 0, terrain.size});
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
       const auto cell = static_cast<std::size_t>(row * terrain.size + column);
-      if (!(terrain.confidence[cell] > 0.0F)) continue;
-      const double height = terrain.z_origin_m + static_cast<double>(terrain.relative_height[cell]);
-      block.set(column, row, static_cast<float>(height), terrain.confidence[cell],
-                static_cast<float>(terrain.statistics[cell].count));
+      const bool known = terrain.confidence[cell] > 0.0F;
+      if (!known && points_around[cell] == 0) continue;
+      TerrainPixel pixel{
+          .count = static_cast<float>(terrain.statistics[cell].count),
+          .density = static_cast<float>(static_cast<double>(points_around[cell]) / area_m2)};
+      if (known) {
+        pixel.height = static_cast<float>(terrain.z_origin_m +
+                                          static_cast<double>(terrain.relative_height[cell]));
+        pixel.confidence = terrain.confidence[cell];
+      }
+      block.set(column, row, pixel);
     }
   }
 }
@@ -32,11 +45,13 @@ void write_terrain(const std::filesystem::path& path, const TerrainView& terrain
   TerrainFile file(
       path, {terrain.min_x_m, terrain.min_y_m, terrain.cell_size_m, terrain.size, terrain.size},
       reference);
+  std::vector<std::uint32_t> points_around;
+  count_points_around(terrain, points_around);
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {
       block.move_to(file.cells_of(column, row));
-      fill(block, terrain);
+      fill(block, terrain, points_around);
       file.write(column, row, block);
     }
   }

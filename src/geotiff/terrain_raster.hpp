@@ -7,14 +7,18 @@
 
 namespace groundgrid::geotiff {
 
-/// Value of cells that no scan said anything about, in every band.
+/// Value of a band in cells of which no scan said anything for it.
 inline constexpr float kNoData = -9999.0F;
 
 /// The bands of a terrain raster, all 32-bit floats.
 ///  1 height: metres in the map frame; over a drive the mean weighted by confidence
 ///  2 confidence: 0 to 1; over a drive the highest that the cell reached
 ///  3 count: points that fell into the cell; over a drive the sum
-inline constexpr int kTerrainBands = 3;
+///  4 density: points of one scan per m² of the square of about 1 m² around the cell (3 × 3 cells
+///    of 0.33 m); over a drive the greatest
+/// Height and confidence are there where a scan showed ground; count and density also where points
+/// fell into the square and none was ground.
+inline constexpr int kTerrainBands = 4;
 
 /// Throws std::invalid_argument, naming it, where a CRS cannot be that of a terrain: PROJ does not
 /// understand it, its x and y are not metres, or a GeoTIFF cannot hold it. An empty one is a local
@@ -22,7 +26,8 @@ inline constexpr int kTerrainBands = 3;
 void check_crs(const std::string& crs);
 
 /// Writes the map as it stands after one scan as a GeoTIFF: north-up (row 0 has the greatest y,
-/// column 0 the least x), pixel = cell, DEFLATE, tiled. Cells with confidence 0 are no-data.
+/// column 0 the least x), pixel = cell, DEFLATE, tiled. Bands as kTerrainBands says; a cell with
+/// confidence 0 has no height.
 ///
 /// `crs` is the system of the map frame: whatever PROJ understands ("EPSG:32632", WKT, a PROJ
 /// string) if it is projected in metres, or empty for a local frame. Complete or not at all. Throws

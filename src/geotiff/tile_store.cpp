@@ -16,7 +16,7 @@ namespace groundgrid::geotiff {
 namespace {
 
 static_assert(std::is_trivially_copyable_v<MosaicTile>);
-static_assert(sizeof(MosaicTile) == MosaicTile::kCells * 24);
+static_assert(sizeof(MosaicTile) == MosaicTile::kCells * 28);
 
 int open_without_name(const std::filesystem::path& result) {
   std::string name =

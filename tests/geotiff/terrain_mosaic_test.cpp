@@ -82,17 +82,23 @@ TEST(TerrainMosaic, WeighsHeightsByConfidenceWhereWindowsOverlap) {
                                                         101.0F, 102.5F, 98.5F}));
   EXPECT_EQ(raster.bands[1].pixels, (std::vector<float>{0.5F, 1.0F, kNoData,  //
                                                         0.5F, 0.75F, 0.125F}));
-  // Points count also in the scans that did not make the cell known.
-  EXPECT_EQ(raster.bands[2].pixels, (std::vector<float>{6.0F, 17.0F, kNoData,  //
+  // Points count also in the scans that did not make the cell known, and where none did.
+  EXPECT_EQ(raster.bands[2].pixels, (std::vector<float>{6.0F, 17.0F, 11.0F,  //
                                                         4.0F, 13.0F, 9.0F}));
+  // All cells of a window are around each of them: 22 points in the first scan, 38 in the second,
+  // on 1.5 m × 1.5 m.
+  EXPECT_EQ(raster.bands[3].pixels,
+            (std::vector<float>{22.0F / 2.25F, 38.0F / 2.25F, 38.0F / 2.25F,  //
+                                22.0F / 2.25F, 38.0F / 2.25F, 38.0F / 2.25F}));
 }
 
 TEST(TerrainMosaic, SaysWhatItsBandsAre) {
   const Raster raster = mosaic_of({noisy_map(2, 0.0, 0.0, 1)}, "EPSG:32632");
-  ASSERT_EQ(raster.bands.size(), 3U);
+  ASSERT_EQ(raster.bands.size(), 4U);
   EXPECT_EQ(raster.bands[0].name, "height");
   EXPECT_EQ(raster.bands[1].name, "confidence");
   EXPECT_EQ(raster.bands[2].name, "count");
+  EXPECT_EQ(raster.bands[3].name, "density");
   for (const Raster::Band& band : raster.bands) EXPECT_EQ(band.no_data, -9999.0);
   EXPECT_EQ(raster.epsg, "EPSG:32632");
 }
@@ -115,23 +121,64 @@ TEST(TerrainMosaic, KeepsMillimetresOverManyScansFarFromTheOrigin) {
             (std::array<double, 6>{456'789.25, 0.5, 0.0, 5'432'101.0, 0.0, -0.5}));
 }
 
-TEST(TerrainMosaic, IsCroppedToTheKnownCells) {
+TEST(TerrainMosaic, TheDensityIsTheGreatestOfOneScan) {
+  // 0.33 m cells, so that 3 × 3 of them are 0.9801 m².
+  SmallMap map(5, 0.33);
+  map.set(2, 2, 0.0F, 1.0F, 20);
+  map.set(3, 2, 0.0F, 1.0F, 6);
+  SmallMap later(5, 0.33);
+  later.set(2, 2, 0.0F, 1.0F, 15);
+  later.set(4, 4, 0.0F, 1.0F, 7);
+  const Raster raster = mosaic_of({map, later});
+  // Cropped to columns 1 to 4 and rows 1 to 4.
+  ASSERT_EQ(raster.columns, 4);
+  ASSERT_EQ(raster.rows, 4);
+  const auto points = [&](int column, int row) {
+    return raster.at(4, column - 1, 4 - row) * 0.9801F;
+  };
+  EXPECT_FLOAT_EQ(points(2, 2), 26.0F) << "26, then 15: never the sum of both scans";
+  EXPECT_FLOAT_EQ(points(1, 2), 20.0F);
+  EXPECT_FLOAT_EQ(points(4, 2), 6.0F);
+  EXPECT_FLOAT_EQ(points(3, 3), 26.0F) << "26, then 22";
+  EXPECT_FLOAT_EQ(points(4, 4), 7.0F);
+  EXPECT_EQ(raster.at(4, 0, 0), kNoData) << "no point within its square";
+  EXPECT_EQ(raster.at(3, 3 - 1, 4 - 3), 0.0F) << "points only around it";
+}
+
+TEST(TerrainMosaic, TellsOfPointsWhereNoScanShowedGround) {
+  SmallMap map(7, 0.33);
+  map.set(1, 1, 2.5F, 0.5F);
+  map.set(5, 5, 9.0F, 0.0F, 4);
+  const Raster raster = mosaic_of({map});
+  // Row and column 1 to 6: the square around the points reaches one cell farther than they do.
+  ASSERT_EQ(raster.columns, 6);
+  ASSERT_EQ(raster.rows, 6);
+  for (const int band : {1, 2}) EXPECT_EQ(raster.at(band, 4, 1), kNoData);
+  EXPECT_EQ(raster.at(3, 4, 1), 4.0F);
+  EXPECT_FLOAT_EQ(raster.at(4, 4, 1), 4.0F / 0.9801F);
+  // The height of the cell without points is known from a scan that has passed.
+  EXPECT_EQ(raster.at(1, 0, 5), 2.5F);
+  EXPECT_EQ(raster.at(3, 0, 5), 0.0F);
+  EXPECT_EQ(raster.at(4, 0, 5), 0.0F);
+  for (const int band : {1, 2, 3, 4}) EXPECT_EQ(raster.at(band, 2, 3), kNoData);
+}
+
+TEST(TerrainMosaic, IsCroppedToWhatWasSeen) {
   SmallMap map(300);
   map.min_x_m = -75.0;
   map.min_y_m = -50.0;
   map.set(17, 40, 1.0F, 0.5F, 1);
   map.set(130, 290, 2.0F, 0.5F, 2);
   map.set(280, 33, 3.0F, 0.5F, 3);
-  map.set(5, 5, 3.0F, 0.0F, 99);
   const Raster raster = mosaic_of({map});
-  // Columns 17 to 280 and rows 33 to 290.
-  ASSERT_EQ(raster.columns, 264);
-  ASSERT_EQ(raster.rows, 258);
+  // Columns 16 to 281 and rows 32 to 291: the squares of the outermost points.
+  ASSERT_EQ(raster.columns, 266);
+  ASSERT_EQ(raster.rows, 260);
   EXPECT_EQ(raster.transform,
-            (std::array<double, 6>{-75.0 + 8.5, 0.5, 0.0, -50.0 + 145.5, 0.0, -0.5}));
-  EXPECT_EQ(raster.at(1, 0, 290 - 40), 1.0F);
-  EXPECT_EQ(raster.at(1, 130 - 17, 0), 2.0F);
-  EXPECT_EQ(raster.at(1, 280 - 17, 257), 3.0F);
+            (std::array<double, 6>{-75.0 + 8.0, 0.5, 0.0, -50.0 + 146.0, 0.0, -0.5}));
+  EXPECT_EQ(raster.at(1, 17 - 16, 291 - 40), 1.0F);
+  EXPECT_EQ(raster.at(1, 130 - 16, 291 - 290), 2.0F);
+  EXPECT_EQ(raster.at(1, 280 - 16, 291 - 33), 3.0F);
   std::size_t known = 0;
   for (const float height : raster.bands[0].pixels) known += height == kNoData ? 0U : 1U;
   EXPECT_EQ(known, 3U);
@@ -204,9 +251,9 @@ TEST(TerrainMosaic, MemoryDoesNotGrowOverFiveKilometres) {
     mosaic.add(map.view());
     most = std::max(most, mosaic.resident_bytes());
   }
-  // A window of 364 cells and its margin touch at most 5 × 5 tiles of 128 × 128 cells, 24 bytes
+  // A window of 364 cells and its margin touch at most 5 × 5 tiles of 128 × 128 cells, 28 bytes
   // a cell.
-  EXPECT_LE(most, std::size_t{25} * 128 * 128 * 24);
+  EXPECT_LE(most, std::size_t{25} * 128 * 128 * 28);
 }
 
 TEST(TerrainMosaic, AreasWithoutCellsTakeNoRoomAndReadAsNoData) {
@@ -219,7 +266,7 @@ TEST(TerrainMosaic, AreasWithoutCellsTakeNoRoomAndReadAsNoData) {
   map.min_y_m = 1500.0;
   mosaic.add(map.view());
   mosaic.finish();
-  // 2001 × 3001 cells in three bands are 72 MB.
+  // 2001 × 3001 cells in four bands are 96 MB.
   EXPECT_LT(std::filesystem::file_size(folder / "terrain.tif"), 20'000U);
   const Raster raster = read_raster(folder / "terrain.tif");
   ASSERT_EQ(raster.columns, 2001);
@@ -289,7 +336,7 @@ TEST(TerrainMosaic, IsEmptyUntilAScanHasShownGround) {
   EXPECT_FALSE(mosaic.empty());
   mosaic.finish();
   EXPECT_FALSE(mosaic.empty());
-  EXPECT_EQ(read_raster(folder / "terrain.tif").at(1, 0, 0), 0.5F);
+  EXPECT_EQ(read_raster(folder / "terrain.tif").at(1, 2, 2), 0.5F);
 }
 
 TEST(TerrainMosaic, LeavesNothingWithoutFinish) {

@@ -68,24 +68,32 @@ TEST(TerrainRaster, IsNorthUpWithPixelsOfACell) {
                                       0.5F, 0.5F, kNoData};
   const std::vector<float> count{20.0F, 21.0F, 22.0F,  //
                                  10.0F, 11.0F, 12.0F,  //
-                                 0.0F,  1.0F,  kNoData};
-  ASSERT_EQ(raster.bands.size(), 3U);
+                                 0.0F,  1.0F,  7.0F};
+  // Points in the 3 × 3 cells around on 2.25 m²: 12 + 16 + 6 + 8 in the corners and so on.
+  const std::vector<float> points_around{62.0F, 96.0F,  66.0F,  //
+                                         63.0F, 104.0F, 74.0F,  //
+                                         22.0F, 41.0F,  31.0F};
+  ASSERT_EQ(raster.bands.size(), 4U);
   EXPECT_EQ(raster.bands[0].pixels, height);
   EXPECT_EQ(raster.bands[1].pixels, confidence);
   EXPECT_EQ(raster.bands[2].pixels, count);
+  for (std::size_t pixel = 0; pixel < points_around.size(); ++pixel)
+    EXPECT_FLOAT_EQ(raster.bands[3].pixels[pixel] * 2.25F, points_around[pixel]) << pixel;
 }
 
 TEST(TerrainRaster, SaysWhatItsBandsAre) {
   const test::TemporaryFolder folder;
   write_terrain(folder / "a.tif", nine_cells().view());
   const Raster raster = read_raster(folder / "a.tif");
-  ASSERT_EQ(raster.bands.size(), 3U);
+  ASSERT_EQ(raster.bands.size(), 4U);
   EXPECT_EQ(raster.bands[0].name, "height");
   EXPECT_EQ(raster.bands[1].name, "confidence");
   EXPECT_EQ(raster.bands[2].name, "count");
+  EXPECT_EQ(raster.bands[3].name, "density");
   EXPECT_EQ(raster.bands[0].unit, "m");
   EXPECT_EQ(raster.bands[1].unit, "");
   EXPECT_EQ(raster.bands[2].unit, "");
+  EXPECT_EQ(raster.bands[3].unit, "1/m2");
   for (const Raster::Band& band : raster.bands) {
     EXPECT_EQ(band.type, "Float32");
     EXPECT_TRUE(band.has_no_data);
