@@ -10,6 +10,7 @@
 #include <new>
 
 #include "program/evaluate.hpp"
+#include "program/evaluate_terrain.hpp"
 #include "program/info.hpp"
 #include "program/interrupt.hpp"
 #include "program/params.hpp"
@@ -57,6 +58,7 @@ int run(int argc, const char* const* argv) {
   const Arguments arguments(argv + std::min(argc, 1), argv + argc);
   add_segment(app, arguments);
   add_evaluate(app, arguments);
+  add_evaluate_terrain(app, arguments);
   add_info(app);
   add_params(app);
   add_reproduce(app);
