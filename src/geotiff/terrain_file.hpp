@@ -9,19 +9,11 @@
 #include "geotiff/cell_range.hpp"
 #include "geotiff/gdal_errors.hpp"
 #include "geotiff/geotiff_driver.hpp"
+#include "geotiff/raster_grid.hpp"
 #include "geotiff/terrain_block.hpp"
 #include "io/hidden_file.hpp"
 
 namespace groundgrid::geotiff {
-
-/// Where the cells of a raster lie. Metres, in the map frame.
-struct RasterGrid {
-  double min_x_m = 0.0;  ///< Outer edge of the western column.
-  double min_y_m = 0.0;  ///< Outer edge of the southern row.
-  double cell_size_m = 0.0;
-  std::int64_t columns = 0;
-  std::int64_t rows = 0;
-};
 
 /// A terrain GeoTIFF that is written block by block and appears complete or not at all. Blocks
 /// that are never written take no room and read as no-data.

@@ -16,6 +16,7 @@
 #include "program/params.hpp"
 #include "program/reproduce.hpp"
 #include "program/segment.hpp"
+#include "program/simulate.hpp"
 #include "program/usage_error.hpp"
 #include "program/version.hpp"
 
@@ -62,6 +63,7 @@ int run(int argc, const char* const* argv) {
   add_info(app);
   add_params(app);
   add_reproduce(app);
+  add_simulate(app);
   return run_app(app, argc, argv);
 }
 

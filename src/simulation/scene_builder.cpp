@@ -1,0 +1,36 @@
+#include "simulation/scene_builder.hpp"
+
+#include "simulation/scenes.hpp"
+
+namespace groundgrid::simulation {
+
+SceneBuilder::SceneBuilder(std::uint64_t seed, std::vector<Bend> bends, double length_m)
+    : seed_(seed) {
+  scene_.path = std::make_shared<const Path>(std::move(bends), length_m, kMargin_m);
+}
+
+double SceneBuilder::height(Station station) const {
+  return scene_.ground(path().point(station)).height_m;
+}
+
+Eigen::Isometry3d SceneBuilder::pose(Station station, double turn) const {
+  const Eigen::Vector2d place = path().point(station);
+  return Eigen::Translation3d(place.x(), place.y(), scene_.ground(place).height_m) *
+         Eigen::AngleAxisd(path().heading(station.s) + turn, Eigen::Vector3d::UnitZ());
+}
+
+void SceneBuilder::place(const Mesh& object, Station station, double turn) {
+  scene_.solids.append(object, pose(station, turn));
+}
+
+void SceneBuilder::place(const Plant& plant, Station station, double turn) {
+  const Eigen::Isometry3d T_world_plant = pose(station, turn);
+  scene_.solids.append(plant.wood, T_world_plant);
+  scene_.leaves.append(plant.leaves, T_world_plant);
+}
+
+void SceneBuilder::add_mover(Mesh mesh, Station start, double speed_mps) {
+  scene_.movers.push_back({std::move(mesh), start, speed_mps});
+}
+
+}  // namespace groundgrid::simulation

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+
+#include "simulation/scene.hpp"
+
+namespace groundgrid::simulation {
+
+/// How far the world reaches beyond the driven stretch, and beside the path. Sensors see no
+/// farther.
+inline constexpr double kMargin_m = 100.0;
+
+Scene make_urban(std::uint64_t seed, double length_m);
+
+}  // namespace groundgrid::simulation

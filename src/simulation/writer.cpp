@@ -1,0 +1,111 @@
+#include "simulation/writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "geotiff/height_file.hpp"
+#include "io/atomic_file.hpp"
+#include "io/error.hpp"
+#include "io/semantic_kitti_labels.hpp"
+
+namespace groundgrid::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kCell_m = 0.2;
+constexpr double kBesides_m = 80.0;
+
+// As in KITTI's car: the camera's z looks forward and its x to the right.
+Eigen::Isometry3d T_camera_lidar() {
+  Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  transform.linear() << 0.0, -1.0, 0.0, 0.0, 0.0, -1.0, 1.0, 0.0, 0.0;
+  transform.translation() << 0.0, -0.08, -0.27;
+  return transform;
+}
+
+std::string numbers_of(const Eigen::Isometry3d& transform) {
+  std::string text;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      text += fmt::format("{}{:.9e}", text.empty() ? "" : " ", transform(row, column));
+  return text + "\n";
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw io::Error({.file = folder,
+                     .expected = "a folder to write to",
+                     .got = error.message(),
+                     .remedy = "choose another place for the drive"});
+}
+
+void write_floats(const fs::path& path, std::span<const float> numbers) {
+  io::AtomicFile file(path);
+  file.write(std::as_bytes(numbers));
+  file.commit();
+}
+
+geotiff::RasterGrid grid_around(const std::vector<Eigen::Isometry3d>& poses) {
+  Eigen::Vector2d least = poses.front().translation().head<2>();
+  Eigen::Vector2d greatest = least;
+  for (const Eigen::Isometry3d& pose : poses) {
+    least = least.cwiseMin(pose.translation().head<2>());
+    greatest = greatest.cwiseMax(pose.translation().head<2>());
+  }
+  const auto outward = [](double value) { return std::ceil((value + kBesides_m) / kCell_m); };
+  const double west = -outward(-least.x());
+  const double south = -outward(-least.y());
+  return {west * kCell_m, south * kCell_m, kCell_m,
+          static_cast<std::int64_t>(outward(greatest.x()) - west),
+          static_cast<std::int64_t>(outward(greatest.y()) - south)};
+}
+
+}  // namespace
+
+SequenceWriter::SequenceWriter(fs::path folder) : folder_(std::move(folder)) {
+  for (const char* const name : {"velodyne", "labels", "truth/height"}) make_folder(folder_ / name);
+  io::write_text(folder_ / "calib.txt", "Tr: " + numbers_of(T_camera_lidar()));
+}
+
+void SequenceWriter::add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor) {
+  const std::string name = fmt::format("{:06}", true_poses_.size());
+  if (true_poses_.empty()) T_first_world_ = scan.T_world_sensor.inverse();
+  true_poses_.push_back(T_first_world_ * scan.T_world_sensor);
+  const Eigen::Isometry3d T_first_sensor = T_first_world_ * T_world_sensor;
+  poses_ += numbers_of(T_camera_lidar() * T_first_sensor * T_camera_lidar().inverse());
+  times_ += fmt::format("{:.6e}\n", time_s);
+  write_floats(folder_ / "velodyne" / (name + ".bin"), scan.points);
+  io::write_labels(folder_ / "labels" / (name + ".label"), scan.labels);
+  write_floats(folder_ / "truth" / "height" / (name + ".f32"), scan.heights);
+}
+
+void SequenceWriter::finish(const Terrain& terrain) const {
+  io::write_text(folder_ / "poses.txt", poses_);
+  io::write_text(folder_ / "times.txt", times_);
+  write_truth(terrain);
+}
+
+// The first pose is level and looks along the world's x, so the two frames differ by a shift.
+void SequenceWriter::write_truth(const Terrain& terrain) const {
+  const geotiff::RasterGrid grid = grid_around(true_poses_);
+  const Eigen::Vector3d shift = T_first_world_.translation();
+  std::vector<float> heights;
+  heights.reserve(static_cast<std::size_t>(grid.columns * grid.rows));
+  for (std::int64_t row = 0; row < grid.rows; ++row)
+    for (std::int64_t column = 0; column < grid.columns; ++column) {
+      const Eigen::Vector2d middle(grid.min_x_m + (static_cast<double>(column) + 0.5) * kCell_m,
+                                   grid.min_y_m + (static_cast<double>(row) + 0.5) * kCell_m);
+      heights.push_back(static_cast<float>(terrain.height(middle - shift.head<2>()) + shift.z()));
+    }
+  geotiff::write_heights(folder_ / "truth" / "terrain.tif", grid, heights);
+}
+
+}  // namespace groundgrid::simulation

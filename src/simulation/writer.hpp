@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "simulation/scanner.hpp"
+#include "simulation/terrain.hpp"
+
+namespace groundgrid::simulation {
+
+/// Writes one sequence in SemanticKITTI layout, with the truth beside it:
+///   velodyne/NNNNNN.bin, labels/NNNNNN.label, calib.txt, poses.txt, times.txt
+///   truth/height/NNNNNN.f32   metres above the soil, of each point, 32-bit floats
+///   truth/terrain.tif         height of the soil in the frame of the first pose, 0.2 m cells
+/// Every call throws io::Error where it cannot write.
+class SequenceWriter {
+ public:
+  /// Makes the folders. `folder` is that of the sequence.
+  explicit SequenceWriter(std::filesystem::path folder);
+
+  /// Writes the next scan. Its pose goes to poses.txt as if it were known to be `T_world_sensor`.
+  void add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor);
+
+  /// Writes what is known only at the end: poses, times and terrain.
+  void finish(const Terrain& terrain) const;
+
+ private:
+  void write_truth(const Terrain& terrain) const;
+
+  std::filesystem::path folder_;
+  std::vector<Eigen::Isometry3d> true_poses_;
+  std::string poses_;
+  std::string times_;
+  Eigen::Isometry3d T_first_world_ = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace groundgrid::simulation

@@ -1,0 +1,240 @@
+// Whole drives, as the program writes them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "evaluation/semantic_kitti_classes.hpp"
+#include "io/scan_poses.hpp"
+#include "io/scan_sequence.hpp"
+#include "read_raster.hpp"
+#include "run_program.hpp"
+
+namespace groundgrid::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_file;
+using test::TemporaryFolder;
+
+template <typename Number>
+std::vector<Number> read_numbers(const fs::path& path) {
+  const std::string bytes = read_file(path);
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+  return numbers;
+}
+
+test::ProgramRun simulate(const fs::path& out, const std::string& arguments) {
+  return test::run_program("simulate " + arguments + " " + test::shell_word(out));
+}
+
+/// All scans of one drive.
+struct Points {
+  std::size_t scans = 0;
+  std::vector<float> records{};
+  std::vector<std::uint32_t> labels{};
+  std::vector<float> heights{};
+  std::vector<Eigen::Vector3d> in_first{};  ///< In the frame of the first pose.
+
+  [[nodiscard]] std::size_t size() const { return labels.size(); }
+  [[nodiscard]] std::uint16_t label(std::size_t i) const {
+    return static_cast<std::uint16_t>(labels[i] & 0xFFFFU);
+  }
+  [[nodiscard]] bool ground(std::size_t i) const {
+    return evaluation::truth_of(label(i)) == evaluation::Truth::ground;
+  }
+  template <typename Predicate>
+  [[nodiscard]] double share(const Predicate& predicate) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < size(); ++i) count += predicate(i) ? 1U : 0U;
+    return static_cast<double>(count) / static_cast<double>(size());
+  }
+};
+
+Points read_drive(const fs::path& out) {
+  const io::ScanSequence sequence = io::find_sequences(out).front();
+  const io::ScanPoses poses = io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+  Points points;
+  for (const io::ScanFile& scan : sequence.scans) {
+    const auto records = read_numbers<float>(scan.path);
+    const auto labels = read_numbers<std::uint32_t>(sequence.labels() / (scan.name + ".label"));
+    const auto heights =
+        read_numbers<float>(sequence.folder / "truth/height" / (scan.name + ".f32"));
+    EXPECT_EQ(records.size(), 4 * labels.size());
+    EXPECT_EQ(heights.size(), labels.size());
+    const Eigen::Isometry3d pose = poses.pose(scan);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      points.in_first.push_back(pose * Eigen::Vector3f(&records[4 * i]).cast<double>());
+    points.records.insert(points.records.end(), records.begin(), records.end());
+    points.labels.insert(points.labels.end(), labels.begin(), labels.end());
+    points.heights.insert(points.heights.end(), heights.begin(), heights.end());
+    ++points.scans;
+  }
+  return points;
+}
+
+/// One short drive in town for all tests that only look at it.
+class Town : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new TemporaryFolder;
+    ASSERT_EQ(simulate(folder_->path(), "urban --scans 4 --seed 3").exit_code, 0);
+    points_ = new Points(read_drive(folder_->path()));
+  }
+  static void TearDownTestSuite() {
+    delete points_;
+    delete folder_;
+  }
+  static const fs::path& folder() { return folder_->path(); }
+  static const Points& points() { return *points_; }
+
+ private:
+  static inline TemporaryFolder* folder_ = nullptr;
+  static inline Points* points_ = nullptr;
+};
+
+TEST_F(Town, IsASemanticKittiDatasetWithItsTruth) {
+  const test::Names files = test::files_below(folder() / "sequences/00");
+  EXPECT_EQ(
+      files,
+      (test::Names{"calib.txt", "labels/000000.label", "labels/000001.label", "labels/000002.label",
+                   "labels/000003.label", "poses.txt", "times.txt", "truth/drive.json",
+                   "truth/height/000000.f32", "truth/height/000001.f32", "truth/height/000002.f32",
+                   "truth/height/000003.f32", "truth/terrain.tif", "velodyne/000000.bin",
+                   "velodyne/000001.bin", "velodyne/000002.bin", "velodyne/000003.bin"}));
+}
+
+TEST_F(Town, HasTheSharesOfRealScans) {
+  const double points_a_scan =
+      static_cast<double>(points().size()) / static_cast<double>(points().scans);
+  EXPECT_GT(points_a_scan, 105e3);
+  EXPECT_LT(points_a_scan, 130e3);
+  const double ground = points().share([&](std::size_t i) { return points().ground(i); });
+  EXPECT_GT(ground, 0.39);
+  EXPECT_LT(ground, 0.6);
+  const double leaves = points().share([&](std::size_t i) { return points().label(i) == 70; });
+  EXPECT_GT(leaves, 0.12);
+  EXPECT_LT(leaves, 0.3);
+  const double outliers = points().share([&](std::size_t i) { return points().label(i) == 1; });
+  EXPECT_GT(outliers, 0.0001);
+  EXPECT_LT(outliers, 0.0015);
+}
+
+TEST_F(Town, TheFirstRingIsAboutFourMetresAway) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < points().size(); ++i)
+    if (points().label(i) == 40)
+      distances.push_back(std::hypot(points().records[4 * i], points().records[4 * i + 1]));
+  auto first = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 100);
+  std::nth_element(distances.begin(), first, distances.end());
+  EXPECT_GT(*first, 3.6);
+  EXPECT_LT(*first, 4.2);
+}
+
+TEST_F(Town, PavedGroundIsAtTheHeightOfTheSoil) {
+  for (std::size_t i = 0; i < points().size(); ++i) {
+    const std::uint16_t label = points().label(i);
+    if (label != 40 && label != 44 && label != 48) continue;
+    ASSERT_NEAR(points().heights[i], 0.0F, 0.2F) << i;
+  }
+}
+
+TEST_F(Town, SomeReflectionsLieBelowTheGround) {
+  const double below = points().share(
+      [&](std::size_t i) { return points().label(i) == 1 && points().heights[i] < -0.3F; });
+  EXPECT_GT(below, 0.00001);
+}
+
+// The raster is in the frame of the first pose, as the poses and the points are.
+TEST_F(Town, TerrainRasterFitsTheGroundPoints) {
+  const test::Raster raster = test::read_raster(folder() / "sequences/00/truth/terrain.tif");
+  EXPECT_NEAR(raster.transform[1], 0.2, 1e-12);
+  EXPECT_NEAR(raster.transform[5], -0.2, 1e-12);
+  std::size_t compared = 0;
+  double squares = 0.0;
+  for (std::size_t i = 0; i < points().size(); ++i) {
+    const Eigen::Vector3d& point = points().in_first[i];
+    if (points().label(i) != 40 || point.head<2>().norm() > 20.0) continue;
+    const auto column = static_cast<int>(std::floor((point.x() - raster.transform[0]) / 0.2));
+    const auto row = static_cast<int>(std::floor((raster.transform[3] - point.y()) / 0.2));
+    ASSERT_TRUE(column >= 0 && column < raster.columns && row >= 0 && row < raster.rows);
+    const double error = point.z() - static_cast<double>(raster.at(1, column, row));
+    ASSERT_LT(std::abs(error), 0.25);
+    squares += error * error;
+    ++compared;
+  }
+  ASSERT_GT(compared, 50000U);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(compared)), 0.02);
+}
+
+TEST_F(Town, IsEvaluatedAsItIs) {
+  const test::ProgramRun run = test::run_program("evaluate --json " + test::shell_word(folder()));
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json["sequences"][0]["scans"], 4);
+}
+
+TEST_F(Town, SaysWhatItIs) {
+  const auto json = nlohmann::json::parse(read_file(folder() / "sequences/00/truth/drive.json"));
+  EXPECT_EQ(json["simulated"], true);
+  EXPECT_EQ(json["scene"], "urban");
+  EXPECT_EQ(json["seed"], 3);
+  EXPECT_EQ(json["points"], points().size());
+}
+
+TEST_F(Town, IsTheSameForAnyNumberOfThreadsAndAnotherForAnotherSeed) {
+  const TemporaryFolder one;
+  const TemporaryFolder other;
+  ASSERT_EQ(simulate(one.path(), "urban --scans 4 --seed 3 --threads 1").exit_code, 0);
+  ASSERT_EQ(simulate(other.path(), "urban --scans 4 --seed 4").exit_code, 0);
+  for (const std::string& file : test::files_below(folder()))
+    EXPECT_EQ(read_file(folder() / file), read_file(one.path() / file)) << file;
+  EXPECT_NE(read_file(folder() / "sequences/00/velodyne/000000.bin"),
+            read_file(other.path() / "sequences/00/velodyne/000000.bin"));
+}
+
+TEST_F(Town, DistortedPointsAreThoseOfTheMovingSensor) {
+  const TemporaryFolder out;
+  ASSERT_EQ(simulate(out.path(), "urban --scans 4 --seed 3 --motion distorted").exit_code, 0);
+  const Points distorted = read_drive(out.path());
+  ASSERT_EQ(distorted.labels, points().labels);
+  float most = 0.0F;
+  for (std::size_t i = 0; i < points().size(); ++i)
+    most = std::max(most, std::abs(distorted.records[4 * i] - points().records[4 * i]));
+  // Half a scan at 10 m/s is half a metre, and what the turn adds far away.
+  EXPECT_GT(most, 0.45F);
+  EXPECT_LT(most, 1.5F);
+}
+
+TEST_F(Town, PoseErrorsChangeThePosesAlone) {
+  const TemporaryFolder out;
+  ASSERT_EQ(simulate(out.path(), "urban --scans 4 --seed 3 --pose-noise 0.05 --pose-drift 0.01")
+                .exit_code,
+            0);
+  EXPECT_EQ(read_file(out / "sequences/00/velodyne/000003.bin"),
+            read_file(folder() / "sequences/00/velodyne/000003.bin"));
+  EXPECT_NE(read_file(out / "sequences/00/poses.txt"),
+            read_file(folder() / "sequences/00/poses.txt"));
+}
+
+TEST(Simulate, NamesWhatItDoesNotKnow) {
+  const TemporaryFolder out;
+  EXPECT_EQ(simulate(out.path(), "moon").exit_code, 2);
+  EXPECT_EQ(simulate(out.path(), "urban --sensor eye").exit_code, 2);
+  EXPECT_EQ(simulate(out.path(), "urban --scans 0").exit_code, 2);
+}
+
+TEST(Simulate, SaysWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  test::write_file(folder / "file", "");
+  const test::ProgramRun run = simulate(folder / "file", "urban --scans 1");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(test::contains(run.words, "file"));
+}
+
+}  // namespace
+}  // namespace groundgrid::simulation
