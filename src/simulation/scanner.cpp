@@ -3,11 +3,18 @@
 #include <utility>
 
 #include "simulation/noise.hpp"
+#include "simulation/objects.hpp"
 
 namespace groundgrid::simulation {
 namespace {
 
 constexpr std::size_t kRaysPerTile = 2048;
+constexpr double kOwnVehicle_m = 4.0;
+
+RayCaster aerial_caster() {
+  const Mesh aerial = make_aerial();
+  return RayCaster({&aerial});
+}
 
 enum Purpose : std::uint64_t { kEcho = 10, kEdge = 11, kRange = 12 };
 
@@ -21,6 +28,7 @@ Scanner::Scanner(World& world, const Drive& drive, Sensor sensor, Motion motion,
       motion_(motion),
       seed_(seed),
       runner_(&runner),
+      own_vehicle_(aerial_caster()),
       columns_(static_cast<std::size_t>(sensor_.columns)),
       echoes_(sensor_.beams.size() * columns_.size()),
       mixed_(echoes_.size()) {
@@ -66,6 +74,10 @@ Ray Scanner::ray(std::size_t ray_index, std::size_t scan_index) const {
 
 Echo Scanner::measure(std::size_t ray_index, std::size_t scan_index) const {
   const Ray in_sensor = ray(ray_index, scan_index);
+  const Ray in_base{sensor_.T_base_sensor * in_sensor.origin,
+                    sensor_.T_base_sensor.linear() * in_sensor.direction};
+  if (const auto hit = own_vehicle_.cast(in_base, sensor_.least_range_m, kOwnVehicle_m))
+    return {hit->distance_m, label::kUnlabeled, 0.1F};
   const Eigen::Isometry3d& T_world_sensor = columns_[ray_index % columns_.size()].T_world_sensor;
   return world_->echo(
       {T_world_sensor * in_sensor.origin, T_world_sensor.linear() * in_sensor.direction},

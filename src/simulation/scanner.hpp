@@ -52,6 +52,7 @@ class Scanner {
   Motion motion_;
   std::uint64_t seed_;
   TileRunner* runner_;
+  RayCaster own_vehicle_;
   std::vector<double> bias_m_;  ///< Of each beam.
   std::vector<Column> columns_;
   std::vector<Echo> echoes_;

@@ -16,7 +16,10 @@ struct Entry {
   Scene (*make)(std::uint64_t seed, double length_m);
 };
 
-constexpr std::array kEntries{Entry{"urban", 10.0, make_urban}};
+constexpr std::array kEntries{Entry{"urban", 10.0, make_urban}, Entry{"hill", 10.0, make_hill},
+                              Entry{"motorway", 20.0, make_motorway},
+                              Entry{"village", 10.0, make_village},
+                              Entry{"offroad", 10.0, make_offroad}};
 
 const Entry& entry(const std::string& name) {
   const auto* const found = std::find_if(kEntries.begin(), kEntries.end(),

@@ -43,11 +43,43 @@ Sensor hdl_64e() {
   return sensor;
 }
 
+/// As nuScenes mounts it: 20 turns a second, so half the columns that it has at 10.
+Sensor hdl_32e() {
+  Sensor sensor{.name = "hdl-32e", .beams = spread(32, 10.67, -30.67), .columns = 1086};
+  sensor.rate_hz = 20.0;
+  sensor.most_range_m = 70.0;
+  sensor.T_base_sensor = at_height(1.84);
+  return sensor;
+}
+
+Sensor vlp_16() {
+  Sensor sensor{.name = "vlp-16", .beams = spread(16, 15.0, -15.0), .columns = 1800};
+  sensor.T_base_sensor = at_height(1.2);
+  return sensor;
+}
+
+Sensor os1_128() {
+  Sensor sensor{.name = "os1-128", .beams = spread(128, 22.5, -22.5), .columns = 1024};
+  sensor.T_base_sensor = at_height(1.8);
+  return sensor;
+}
+
+/// Six lasers side by side that draw a rosette within a cone of 70 degrees ahead, as a Livox does.
+Sensor rosette() {
+  Sensor sensor{.name = "rosette", .sweep = Sweep::rosette, .columns = 4000};
+  for (int i = 0; i < 6; ++i) sensor.beams.push_back({.elevation_rad = kDegree * (0.5 - 0.2 * i)});
+  sensor.cone_rad = kDegree * 35.0;
+  sensor.T_base_sensor = at_height(1.5);
+  return sensor;
+}
+
 struct Entry {
   std::string_view name;
   Sensor (*make)();
 };
-constexpr std::array kEntries{Entry{"hdl-64e", hdl_64e}};
+constexpr std::array kEntries{Entry{"hdl-64e", hdl_64e}, Entry{"hdl-32e", hdl_32e},
+                              Entry{"vlp-16", vlp_16}, Entry{"os1-128", os1_128},
+                              Entry{"rosette", rosette}};
 
 }  // namespace
 

@@ -54,7 +54,7 @@ class Street {
   }
 
   [[nodiscard]] bool has_parking(double s, double d) const {
-    return !is_near_junction(s, 28.0) && draw(1, s / 40.0, d) < 0.65;
+    return !is_near_junction(s, 20.0) && draw(1, s / 40.0, d) < 0.65;
   }
 
  private:

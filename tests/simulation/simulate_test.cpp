@@ -149,6 +149,17 @@ TEST_F(Town, SomeReflectionsLieBelowTheGround) {
   EXPECT_GT(below, 0.00001);
 }
 
+TEST_F(Town, AFewRaysMeetTheOwnAerial) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points().size(); ++i) {
+    if (points().label(i) != 0) continue;
+    ++count;
+    EXPECT_NEAR(std::hypot(points().records[4 * i], points().records[4 * i + 1]), 1.47F, 0.2F);
+  }
+  EXPECT_GT(count, 4U * 20U);
+  EXPECT_LT(count, 4U * 300U);
+}
+
 // The raster is in the frame of the first pose, as the poses and the points are.
 TEST_F(Town, TerrainRasterFitsTheGroundPoints) {
   const test::Raster raster = test::read_raster(folder() / "sequences/00/truth/terrain.tif");
@@ -219,6 +230,54 @@ TEST_F(Town, PoseErrorsChangeThePosesAlone) {
             read_file(folder() / "sequences/00/velodyne/000003.bin"));
   EXPECT_NE(read_file(out / "sequences/00/poses.txt"),
             read_file(folder() / "sequences/00/poses.txt"));
+}
+
+struct SceneShares {
+  const char* scene;
+  double least_ground;
+  double most_ground;
+  double least_leaves;
+};
+
+class EveryScene : public ::testing::TestWithParam<SceneShares> {};
+INSTANTIATE_TEST_SUITE_P(Simulate, EveryScene,
+                         ::testing::Values(SceneShares{"hill", 0.3, 0.8, 0.15},
+                                           SceneShares{"motorway", 0.6, 0.95, 0.01},
+                                           SceneShares{"village", 0.3, 0.7, 0.03},
+                                           SceneShares{"offroad", 0.5, 0.95, 0.02}),
+                         [](const auto& shares) { return std::string(shares.param.scene); });
+
+// Sparse points and a vehicle in the soil would show here.
+TEST_P(EveryScene, HasGroundWhereTheSoilIs) {
+  const TemporaryFolder out;
+  ASSERT_EQ(simulate(out.path(), std::string(GetParam().scene) + " --scans 3").exit_code, 0);
+  const Points points = read_drive(out.path());
+  EXPECT_GT(points.size(), 3U * 90000U);
+  const double ground = points.share([&](std::size_t i) { return points.ground(i); });
+  EXPECT_GT(ground, GetParam().least_ground);
+  EXPECT_LT(ground, GetParam().most_ground);
+  EXPECT_GT(points.share([&](std::size_t i) { return points.label(i) == 70; }),
+            GetParam().least_leaves);
+  const double off_soil = points.share([&](std::size_t i) {
+    return points.ground(i) && (points.heights[i] < -0.15F || points.heights[i] > 0.5F);
+  });
+  EXPECT_LT(off_soil, 0.001);
+}
+
+class EverySensor : public ::testing::TestWithParam<std::pair<const char*, std::size_t>> {};
+INSTANTIATE_TEST_SUITE_P(Simulate, EverySensor,
+                         ::testing::Values(std::pair{"hdl-32e", std::size_t{18000}},
+                                           std::pair{"vlp-16", std::size_t{12000}},
+                                           std::pair{"os1-128", std::size_t{60000}},
+                                           std::pair{"rosette", std::size_t{8000}}));
+
+TEST_P(EverySensor, SeesTheTown) {
+  const auto& [name, least_points] = GetParam();
+  const TemporaryFolder out;
+  ASSERT_EQ(simulate(out.path(), std::string("urban --scans 2 --sensor ") + name).exit_code, 0);
+  const Points points = read_drive(out.path());
+  EXPECT_GT(points.size(), 2 * least_points);
+  EXPECT_GT(points.share([&](std::size_t i) { return points.ground(i); }), 0.1);
 }
 
 TEST(Simulate, NamesWhatItDoesNotKnow) {
