@@ -12,4 +12,12 @@ GDALDriver& geotiff_driver() {
   return *GetGDALDriverManager()->GetDriverByName("GTiff");
 }
 
+GDALDriver& memory_driver() {
+  [[maybe_unused]] static const bool registered = [] {
+    GDALRegister_MEM();
+    return true;
+  }();
+  return *GetGDALDriverManager()->GetDriverByName("MEM");
+}
+
 }  // namespace groundgrid::geotiff

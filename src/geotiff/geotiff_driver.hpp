@@ -10,6 +10,9 @@ namespace groundgrid::geotiff {
 /// that take long to load.
 GDALDriver& geotiff_driver();
 
+/// The same for rasters that are never a file.
+GDALDriver& memory_driver();
+
 struct CloseDataset {
   void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
 };

@@ -102,9 +102,8 @@ class Warp {
 
  private:
   DatasetPtr make_target() {
-    GDALRegister_MEM();
-    GDALDriver* const memory = GetGDALDriverManager()->GetDriverByName("MEM");
-    DatasetPtr target(memory->Create("", onto_.columns, onto_.rows, 1, GDT_Float32, nullptr));
+    DatasetPtr target(
+        memory_driver().Create("", onto_.columns, onto_.rows, 1, GDT_Float32, nullptr));
     if (target == nullptr) throw std::bad_alloc();
     std::array<double, 6> transform = onto_.transform;
     target->SetGeoTransform(transform.data());

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "geotiff/cell_range.hpp"
 #include "geotiff/terrain_raster.hpp"
+#include "geotiff/terrain_surface.hpp"
 
 namespace groundgrid::geotiff {
 
@@ -35,12 +37,21 @@ class TerrainBlock {
   [[nodiscard]] const CellRange& cells() const { return cells_; }
 
   void set(std::int64_t column, std::int64_t row, const TerrainPixel& pixel) {
-    const auto first =
-        static_cast<std::size_t>((cells_.end_row - 1 - row) * kSide + column - cells_.first_column);
+    const std::size_t first = index(column, row);
     pixels_[first] = pixel.height;
     pixels_[first + kPixels] = pixel.confidence;
     pixels_[first + 2 * kPixels] = pixel.count;
     pixels_[first + 3 * kPixels] = pixel.density;
+  }
+
+  /// Takes the heights of a surface. Confidence is that of a height which a scan showed, so it is 0
+  /// where the surface says another one. False where it has none in this block.
+  bool take_heights(const HeightWindow& surface) {
+    bool any = false;
+    for (std::int64_t row = cells_.first_row; row < cells_.end_row; ++row)
+      for (std::int64_t column = cells_.first_column; column < cells_.end_column; ++column)
+        any = take_height(index(column, row), surface.heights[surface.index(column, row)]) || any;
+    return any;
   }
 
   /// The pixels of a band, counted from 0, as GDAL wants them.
@@ -48,6 +59,19 @@ class TerrainBlock {
 
  private:
   static constexpr std::size_t kPixels = std::size_t{kSide} * kSide;
+
+  [[nodiscard]] std::size_t index(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::size_t>((cells_.end_row - 1 - row) * kSide + column -
+                                    cells_.first_column);
+  }
+
+  bool take_height(std::size_t pixel, float height) {
+    const bool known = !std::isnan(height);
+    if (known && pixels_[pixel] == height) return true;
+    pixels_[pixel] = known ? height : kNoData;
+    pixels_[pixel + kPixels] = known ? 0.0F : kNoData;
+    return known;
+  }
 
   CellRange cells_;
   std::vector<float> pixels_;

@@ -12,6 +12,7 @@
 #include "geotiff/crs.hpp"
 #include "geotiff/point_density.hpp"
 #include "geotiff/terrain_file.hpp"
+#include "geotiff/terrain_surface.hpp"
 #include "geotiff/tile_store.hpp"
 #include "geotiff/view_check.hpp"
 
@@ -61,11 +62,20 @@ CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows)
           range.end_row + rows};
 }
 
+std::size_t cell_in_tile(const CellRange& tile_cells, std::int64_t column, std::int64_t row) {
+  return static_cast<std::size_t>((row - tile_cells.first_row) * MosaicTile::kSide + column -
+                                  tile_cells.first_column);
+}
+
+float height_of(const MosaicTile& tile, std::size_t cell) {
+  return static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]);
+}
+
 TerrainPixel pixel_of(const MosaicTile& tile, std::size_t cell, double area_m2) {
   const bool known = tile.weight[cell] > 0.0;
   TerrainPixel pixel;
   if (known) {
-    pixel.height = static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]);
+    pixel.height = height_of(tile, cell);
     pixel.confidence = tile.confidence[cell];
   }
   if (known || tile.most_points_around[cell] > 0) {
@@ -81,9 +91,19 @@ void copy(const MosaicTile& tile, const CellRange& tile_cells, double area_m2,
   const CellRange cells = overlap(tile_cells, block.cells());
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
-      const auto cell = static_cast<std::size_t>((row - tile_cells.first_row) * MosaicTile::kSide +
-                                                 column - tile_cells.first_column);
+      const std::size_t cell = cell_in_tile(tile_cells, column, row);
       block.set(column, row, pixel_of(tile, cell, area_m2));
+    }
+  }
+}
+
+void copy_heights(const MosaicTile& tile, const CellRange& tile_cells, HeightWindow& window) {
+  const CellRange cells = overlap(tile_cells, window.cells);
+  for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
+    for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
+      const std::size_t cell = cell_in_tile(tile_cells, column, row);
+      if (tile.weight[cell] > 0.0)
+        window.heights[window.index(column, row)] = height_of(tile, cell);
     }
   }
 }
@@ -92,8 +112,9 @@ void copy(const MosaicTile& tile, const CellRange& tile_cells, double area_m2,
 
 class TerrainMosaic::Tiles {
  public:
-  Tiles(std::filesystem::path path, const std::string& crs)
-      : path_(std::move(path)), crs_(read_crs(crs)), store_(path_) {}
+  Tiles(std::filesystem::path path, const std::string& crs,
+        const std::optional<SurfaceOptions>& surface)
+      : path_(std::move(path)), crs_(read_crs(crs)), surface_(surface), store_(path_) {}
 
   void add(const TerrainView& view);
   void finish() const;
@@ -104,9 +125,11 @@ class TerrainMosaic::Tiles {
   void place(const TerrainView& view);
   void add_to_tile(TileStore::Index index, const TerrainView& view, const CellRange& window);
   bool fill(TerrainBlock& block, MosaicTile& buffer) const;
+  [[nodiscard]] HeightWindow heights_in(const CellRange& cells, MosaicTile& buffer) const;
 
   std::filesystem::path path_;
   std::optional<OGRSpatialReference> crs_;
+  std::optional<SurfaceOptions> surface_;
   TileStore store_;
   double cell_size_m_ = 0.0;  // 0 until the first view has come
   double origin_x_m_ = 0.0;   // outer edges of the lattice's cell (0, 0)
@@ -178,6 +201,18 @@ bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
   return filled;
 }
 
+HeightWindow TerrainMosaic::Tiles::heights_in(const CellRange& cells, MosaicTile& buffer) const {
+  HeightWindow window(cells);
+  const CellRange tiles = tiles_of(cells);
+  for (std::int64_t i = tiles.first_column; i < tiles.end_column; ++i) {
+    for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j) {
+      const MosaicTile* const tile = store_.look_up({i, j}, buffer);
+      if (tile != nullptr) copy_heights(*tile, cells_of({i, j}), window);
+    }
+  }
+  return window;
+}
+
 void TerrainMosaic::Tiles::finish() const {
   if (empty()) fail_without_terrain(path_);
   TerrainFile file(path_,
@@ -186,18 +221,27 @@ void TerrainMosaic::Tiles::finish() const {
                     told_.columns(), told_.rows()},
                    crs_);
   const auto buffer = std::make_unique<MosaicTile>();
+  std::optional<TerrainSurface> completion;
+  if (surface_) completion.emplace(*surface_, cell_size_m_);
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {
       block.move_to(moved(file.cells_of(column, row), told_.first_column, told_.first_row));
-      if (fill(block, *buffer)) file.write(column, row, block);
+      bool filled = fill(block, *buffer);
+      if (completion) {
+        HeightWindow window = heights_in(completion->window_around(block.cells()), *buffer);
+        completion->complete(window);
+        filled = block.take_heights(window) || filled;
+      }
+      if (filled) file.write(column, row, block);
     }
   }
   file.commit();
 }
 
-TerrainMosaic::TerrainMosaic(std::filesystem::path path, const std::string& crs)
-    : tiles_(std::make_unique<Tiles>(std::move(path), crs)) {}
+TerrainMosaic::TerrainMosaic(std::filesystem::path path, const std::string& crs,
+                             const std::optional<SurfaceOptions>& surface)
+    : tiles_(std::make_unique<Tiles>(std::move(path), crs, surface)) {}
 TerrainMosaic::~TerrainMosaic() = default;
 TerrainMosaic::TerrainMosaic(TerrainMosaic&&) noexcept = default;
 TerrainMosaic& TerrainMosaic::operator=(TerrainMosaic&&) noexcept = default;

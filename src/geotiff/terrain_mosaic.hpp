@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "geotiff/surface_options.hpp"
 #include "geotiff/terrain_raster.hpp"
 #include "groundgrid/terrain_view.hpp"
 
@@ -17,15 +19,16 @@ namespace groundgrid::geotiff {
 /// That file takes 28 bytes a cell, some 47 MB a kilometre at 0.33 m cells; it has no name, so
 /// that it is gone however the process ends.
 ///
-/// A scan tells a cell's height with the weight of its confidence there. Cells that were only
-/// interpolated have none: where no scan showed ground there is no height instead of a guess. A
-/// cell that was seen goes on telling its height while its confidence decays, so the scans that saw
-/// it outweigh those that did not.
+/// A scan tells a cell's height with the weight of its confidence there. What the map interpolated
+/// has none and is not taken: gaps stay, or are filled from all the drive where a surface is asked
+/// for. A cell that was seen goes on telling its height while its confidence decays, so the scans
+/// that saw it outweigh those that did not.
 class TerrainMosaic {
  public:
   /// `path` is the GeoTIFF to be. Throws io::Error where its folder is not writable,
   /// std::invalid_argument where the CRS is not one that write_terrain() takes.
-  explicit TerrainMosaic(std::filesystem::path path, const std::string& crs = {});
+  explicit TerrainMosaic(std::filesystem::path path, const std::string& crs = {},
+                         const std::optional<SurfaceOptions>& surface = {});
   /// Without finish() nothing stays on disk.
   ~TerrainMosaic();
   TerrainMosaic(TerrainMosaic&&) noexcept;

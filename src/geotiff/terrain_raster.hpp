@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "geotiff/surface_options.hpp"
 #include "groundgrid/terrain_view.hpp"
 
 namespace groundgrid::geotiff {
@@ -16,8 +18,9 @@ inline constexpr float kNoData = -9999.0F;
 ///  3 count: points that fell into the cell; over a drive the sum
 ///  4 density: points of one scan per m² of the square of about 1 m² around the cell (3 × 3 cells
 ///    of 0.33 m); over a drive the greatest
-/// Height and confidence are there where a scan showed ground; count and density also where points
-/// fell into the square and none was ground.
+/// Height and confidence are there where a scan showed ground, and where a surface was asked for
+/// also in the gaps that it fills, with confidence 0; count and density also where points fell into
+/// the square and none was ground.
 inline constexpr int kTerrainBands = 4;
 
 /// Throws std::invalid_argument, naming it, where a CRS cannot be that of a terrain: PROJ does not
@@ -27,7 +30,7 @@ void check_crs(const std::string& crs);
 
 /// Writes the map as it stands after one scan as a GeoTIFF: north-up (row 0 has the greatest y,
 /// column 0 the least x), pixel = cell, DEFLATE, tiled. Bands as kTerrainBands says; a cell with
-/// confidence 0 has no height.
+/// confidence 0 has no height unless a surface fills it.
 ///
 /// `crs` is the system of the map frame: whatever PROJ understands ("EPSG:32632", WKT, a PROJ
 /// string) if it is projected in metres, or empty for a local frame. Complete or not at all. Throws
@@ -35,6 +38,6 @@ void check_crs(const std::string& crs);
 /// where the CRS is unknown, not in metres or not for GeoTIFF, or a layer of the view has not size
 /// x size cells.
 void write_terrain(const std::filesystem::path& path, const TerrainView& terrain,
-                   const std::string& crs = {});
+                   const std::string& crs = {}, const std::optional<SurfaceOptions>& surface = {});
 
 }  // namespace groundgrid::geotiff

@@ -25,7 +25,7 @@ SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequ
   writer_.make_folders();
   if (context.options.terrain.wanted())
     terrain_.emplace(context.options.output, sequence, context.record.single_scan,
-                     context.options.terrain.crs());
+                     context.options.terrain);
 }
 
 void SequenceRun::run() {

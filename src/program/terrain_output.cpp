@@ -33,6 +33,10 @@ void TerrainOptions::add_to(CLI::App& command) {
   CLI::Option* const terrain = command.add_flag(
       "--terrain", wanted_, "Write the terrain of each drive (or single scan) as a GeoTIFF");
   command
+      .add_flag("--terrain-as-seen", as_seen_,
+                "Leave gaps in the terrain, and what stands out of it, as the scans showed them")
+      ->needs(terrain);
+  command
       .add_option("--crs", crs_,
                   "Coordinate reference system of the terrain, e.g. EPSG:32632 [a local frame]")
       ->needs(terrain);
@@ -73,13 +77,21 @@ Eigen::Isometry3d TerrainOptions::T_map_level() const {
   return T_map_level;
 }
 
+std::optional<geotiff::SurfaceOptions> TerrainOptions::surface() const {
+  if (as_seen_) return std::nullopt;
+  return geotiff::SurfaceOptions{};
+}
+
 TerrainOutput::TerrainOutput(fs::path output, const io::ScanSequence& sequence, bool single_scans,
-                             std::string crs)
-    : output_(std::move(output)), place_(place_of(sequence, single_scans)), crs_(std::move(crs)) {
+                             const TerrainOptions& options)
+    : output_(std::move(output)),
+      place_(place_of(sequence, single_scans)),
+      crs_(options.crs()),
+      surface_(options.surface()) {
   if (single_scans)
     make_folder(output_ / place_);
   else
-    mosaic_.emplace(output_ / place_, crs_);
+    mosaic_.emplace(output_ / place_, crs_, surface_);
 }
 
 void TerrainOutput::check(const fs::path& output, const io::ScanSequence& sequence,
@@ -93,7 +105,7 @@ void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain) {
   if (mosaic_)
     mosaic_->add(terrain);
   else
-    geotiff::write_terrain(raster_of(output_ / place_, scan), terrain, crs_);
+    geotiff::write_terrain(raster_of(output_ / place_, scan), terrain, crs_, surface_);
 }
 
 bool TerrainOutput::finish() {

@@ -21,6 +21,8 @@ class TerrainOptions {
   /// Throws UsageError where a number is not finite or the CRS cannot be that of a terrain.
   void check() const;
 
+  /// How gaps are closed; empty where cells stay as scans showed them.
+  [[nodiscard]] std::optional<geotiff::SurfaceOptions> surface() const;
   [[nodiscard]] bool wanted() const { return wanted_; }
   /// Empty for a local frame.
   [[nodiscard]] const std::string& crs() const { return crs_; }
@@ -29,6 +31,7 @@ class TerrainOptions {
 
  private:
   bool wanted_ = false;
+  bool as_seen_ = false;
   std::string crs_;
   std::vector<double> origin_m_;
   double heading_deg_ = 0.0;
@@ -41,7 +44,7 @@ class TerrainOutput {
   /// `output` is the folder of the whole run, whose parts are there already. Throws io::Error,
   /// std::invalid_argument (unknown CRS).
   TerrainOutput(std::filesystem::path output, const io::ScanSequence& sequence, bool single_scans,
-                std::string crs);
+                const TerrainOptions& options);
 
   /// Throws UsageError where the raster of a single scan would overwrite the scan.
   static void check(const std::filesystem::path& output, const io::ScanSequence& sequence,
@@ -60,6 +63,7 @@ class TerrainOutput {
   std::filesystem::path output_;
   std::filesystem::path place_;
   std::string crs_;
+  std::optional<geotiff::SurfaceOptions> surface_;
   std::optional<geotiff::TerrainMosaic> mosaic_;
 };
 

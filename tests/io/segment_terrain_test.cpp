@@ -1,4 +1,8 @@
 // `groundgrid segment --terrain`; what is in the rasters is tested beside their library.
+#include <algorithm>
+#include <cmath>
+
+#include "geotiff/height_raster.hpp"
 #include "segment_fixture.hpp"
 
 namespace groundgrid::program {
@@ -39,6 +43,22 @@ TEST_F(Segment, WritesATerrainForEachSingleScan) {
   EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain/000000.tif"));
   EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain/000001.tif"));
   EXPECT_FALSE(fs::exists(output() / "sequences/00/terrain.tif"));
+}
+
+std::ptrdiff_t cells_with_a_height(const fs::path& raster) {
+  const std::vector<float> heights = geotiff::read_height_raster(raster).heights_m;
+  return std::count_if(heights.begin(), heights.end(),
+                       [](float height) { return !std::isnan(height); });
+}
+
+TEST_F(Segment, FillsTheGapsOfTheTerrainUnlessAskedNotTo) {
+  dataset.add_sequence("00", 2);
+  const fs::path raster = output() / "sequences/00/terrain.tif";
+  ASSERT_EQ(segment("--terrain --terrain-as-seen").exit_code, 0);
+  const std::ptrdiff_t seen = cells_with_a_height(raster);
+  ASSERT_EQ(segment("--terrain").exit_code, 0);
+  EXPECT_GT(cells_with_a_height(raster), seen);
+  EXPECT_EQ(segment("--terrain-as-seen").exit_code, 2);
 }
 
 TEST_F(Segment, TheTerrainDoesNotChangeTheLabels) {

@@ -1,0 +1,173 @@
+// What is taken out of a terrain, and how its gaps are filled.
+#include "geotiff/terrain_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "geotiff/terrain_mosaic.hpp"
+#include "io/temporary_folder.hpp"
+#include "read_raster.hpp"
+#include "small_map.hpp"
+
+namespace groundgrid::geotiff {
+namespace {
+
+constexpr double kCell_m = 0.5;
+constexpr float kGap = std::numeric_limits<float>::quiet_NaN();
+using HeightAt = std::function<float(std::int64_t column, std::int64_t row)>;
+
+HeightWindow window_of(const CellRange& cells, const HeightAt& height_at) {
+  HeightWindow window(cells);
+  for (std::int64_t row = cells.first_row; row < cells.end_row; ++row)
+    for (std::int64_t column = cells.first_column; column < cells.end_column; ++column)
+      window.heights[window.index(column, row)] = height_at(column, row);
+  return window;
+}
+
+HeightWindow surface_of(const CellRange& cells, const HeightAt& height_at,
+                        const SurfaceOptions& options = {}) {
+  HeightWindow window = window_of(cells, height_at);
+  TerrainSurface(options, kCell_m).complete(window);
+  return window;
+}
+
+float at(const HeightWindow& window, std::int64_t column, std::int64_t row) {
+  return window.heights[window.index(column, row)];
+}
+
+TEST(TerrainSurface, LeavesGroundAsItIsBitForBit) {
+  // 0.2 m a cell of 0.5 m is a slope of 0.4, and 0.1 m more a kerb.
+  const HeightAt street = [](std::int64_t column, std::int64_t) {
+    return 0.2F * static_cast<float>(column) + (column > 5 ? 0.1F : 0.0F);
+  };
+  const HeightWindow surface = surface_of({0, 12, 0, 12}, street);
+  EXPECT_EQ(surface.heights, window_of({0, 12, 0, 12}, street).heights);
+}
+
+TEST(TerrainSurface, TakesOutWhatRisesFasterThanGroundDoes) {
+  // A step of 0.15 m and a slope of 0.5 let a cell lie 0.4 m above its neighbour 0.5 m away.
+  const auto peak = [](float height) {
+    return surface_of({0, 11, 0, 11}, [height](std::int64_t column, std::int64_t row) {
+      return column == 5 && row == 5 ? height : 2.0F;
+    });
+  };
+  EXPECT_EQ(at(peak(2.39F), 5, 5), 2.39F);
+  EXPECT_EQ(at(peak(2.41F), 5, 5), 2.0F);
+}
+
+TEST(TerrainSurface, HoldsCellsAgainstThoseInReachOnly) {
+  // A plateau 3 m high that ends 2.0 m (4 cells) and 2.5 m west of column 4 and 5.
+  const HeightAt plateau = [](std::int64_t column, std::int64_t) {
+    return column <= 0 ? 0.0F : 3.0F;
+  };
+  SurfaceOptions options;
+  options.fill_m = 0.0;
+  const HeightWindow surface = surface_of({-8, 12, 0, 9}, plateau, options);
+  EXPECT_TRUE(std::isnan(at(surface, 1, 4)));
+  EXPECT_TRUE(std::isnan(at(surface, 4, 4)));
+  EXPECT_EQ(at(surface, 5, 4), 3.0F);
+  EXPECT_EQ(at(surface, 0, 4), 0.0F);
+}
+
+TEST(TerrainSurface, FillsAGapOnASlopeAlongIt) {
+  const HeightAt slope = [](std::int64_t column, std::int64_t row) {
+    const bool gap = column > 3 && column < 7 && row > 3 && row < 7;
+    return gap ? kGap : 10.0F + 0.1F * static_cast<float>(column);
+  };
+  const HeightWindow surface = surface_of({0, 11, 0, 11}, slope);
+  EXPECT_NEAR(at(surface, 5, 5), 10.5, 0.01);
+  EXPECT_NEAR(at(surface, 4, 5), 10.4, 0.01);
+  EXPECT_NEAR(at(surface, 6, 5), 10.6, 0.01);
+}
+
+TEST(TerrainSurface, FillsNoFartherThanAsked) {
+  const HeightAt half = [](std::int64_t column, std::int64_t) { return column < 0 ? 1.0F : kGap; };
+  SurfaceOptions options;
+  options.fill_m = 2.0;
+  const HeightWindow surface = surface_of({-6, 10, 0, 12}, half, options);
+  EXPECT_EQ(at(surface, 3, 6), 1.0F);
+  EXPECT_TRUE(std::isnan(at(surface, 5, 6)));
+}
+
+TEST(TerrainSurface, IsTheSameWindowByWindow) {
+  const HeightAt hills = [](std::int64_t column, std::int64_t row) {
+    const auto mixed = static_cast<std::uint64_t>(column * 7919 + row * 104729 + 1000003) % 101;
+    return mixed < 40 ? kGap : 0.012F * static_cast<float>(mixed);
+  };
+  const TerrainSurface surface({}, kCell_m);
+  HeightWindow whole = window_of(surface.window_around({0, 60, 0, 60}), hills);
+  surface.complete(whole);
+  for (const CellRange& part : {CellRange{0, 30, 0, 60}, CellRange{30, 60, 0, 60}}) {
+    HeightWindow window = window_of(surface.window_around(part), hills);
+    surface.complete(window);
+    for (std::int64_t row = part.first_row; row < part.end_row; ++row)
+      for (std::int64_t column = part.first_column; column < part.end_column; ++column)
+        ASSERT_EQ(at(window, column, row), at(whole, column, row)) << column << ' ' << row;
+  }
+}
+
+TEST(TerrainSurface, WithoutAnyHeightThereIsNone) {
+  const HeightWindow surface =
+      surface_of({0, 4, 0, 4}, [](std::int64_t, std::int64_t) { return kGap; });
+  EXPECT_TRUE(std::all_of(surface.heights.begin(), surface.heights.end(),
+                          [](float height) { return std::isnan(height); }));
+}
+
+/// Cells of 0.5 m at height 1, with a gap of one cell and a peak of another.
+test::SmallMap meadow() {
+  test::SmallMap map(7);
+  for (int row = 0; row < 7; ++row)
+    for (int column = 0; column < 7; ++column) map.set(column, row, 1.0F, 0.5F, 3);
+  map.set(2, 3, 1.0F, 0.0F, 3);
+  map.set(4, 3, 9.0F, 0.5F, 3);
+  return map;
+}
+
+void expect_completed(const test::Raster& raster) {
+  const std::vector<float>& height = raster.bands[0].pixels;
+  const std::vector<float>& confidence = raster.bands[1].pixels;
+  const std::vector<float>& count = raster.bands[2].pixels;
+  ASSERT_EQ(height.size(), 49U);
+  EXPECT_EQ(height, std::vector<float>(49, 1.0F));
+  EXPECT_EQ(count, std::vector<float>(49, 3.0F));
+  for (std::size_t i = 0; i < 49; ++i)
+    EXPECT_EQ(confidence[i], i == 23 || i == 25 ? 0.0F : 0.5F) << i;
+}
+
+TEST(TerrainSurface, FilledCellsOfARasterHaveConfidenceZero) {
+  const test::TemporaryFolder folder;
+  write_terrain(folder / "scan.tif", meadow().view(), {}, SurfaceOptions{});
+  expect_completed(test::read_raster(folder / "scan.tif"));
+}
+
+TEST(TerrainSurface, FilledCellsOfADriveHaveConfidenceZero) {
+  const test::TemporaryFolder folder;
+  TerrainMosaic mosaic(folder / "drive.tif", {}, SurfaceOptions{});
+  mosaic.add(meadow().view());
+  mosaic.finish();
+  expect_completed(test::read_raster(folder / "drive.tif"));
+}
+
+TEST(TerrainSurface, ADriveIsFilledAcrossTheBordersOfItsTiles) {
+  // Tiles begin at multiples of 128 cells, blocks of the file at multiples of 256.
+  const test::TemporaryFolder folder;
+  TerrainMosaic mosaic(folder / "drive.tif", {}, SurfaceOptions{});
+  test::SmallMap map(300);
+  for (int row = 0; row < 300; ++row)
+    for (int column = 0; column < 300; ++column)
+      if ((column < 126 || column > 129) && (column < 254 || column > 257))
+        map.set(column, row, 0.02F * static_cast<float>(column), 1.0F, 1);
+  mosaic.add(map.view());
+  mosaic.finish();
+  const test::Raster raster = test::read_raster(folder / "drive.tif");
+  ASSERT_EQ(raster.columns, 300);
+  for (std::size_t i = 0; i < raster.bands[0].pixels.size(); ++i)
+    ASSERT_NEAR(raster.bands[0].pixels[i], 0.02 * static_cast<double>(i % 300), 0.01) << i;
+}
+
+}  // namespace
+}  // namespace groundgrid::geotiff
