@@ -80,6 +80,8 @@ void put_metrics(Json& json, const SegmentationMetrics& metrics, Unanswered trea
   put_tally(json, metrics.total(), treatment);
   json["classes"] = classes_json(metrics);
   json["distances"] = distances_json(metrics, treatment);
+  if (metrics.high_grass().points() > 0)
+    put_tally(json["without_high_grass"], metrics.without_high_grass(), treatment);
 }
 
 std::string number_or_nothing(double value) {
@@ -167,6 +169,8 @@ std::string to_csv(const Report& report) {
     if (!bin_is_left_out(bin, pooled.by_distance()[bin]))
       text +=
           tally_csv("distance", bin_name(bin), pooled.by_distance()[bin], report.unanswered, {});
+  if (pooled.high_grass().points() > 0)
+    text += tally_csv("without_high_grass", "", pooled.without_high_grass(), report.unanswered, {});
   return text;
 }
 

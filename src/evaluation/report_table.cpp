@@ -79,6 +79,13 @@ std::string distance_table(const SegmentationMetrics& pooled, Unanswered treatme
   return text;
 }
 
+std::string grass_table(const SegmentationMetrics& pooled, Unanswered treatment) {
+  if (pooled.high_grass().points() == 0) return {};
+  return fmt::format("\n{:<17} {}\n{:<17} {}\n{:<17} {}\n", "grass over 10 cm", columns_heading(),
+                     "counted", tally_columns(pooled.total(), treatment), "left out",
+                     tally_columns(pooled.without_high_grass(), treatment));
+}
+
 }  // namespace
 
 std::string to_table(const Report& report) {
@@ -86,9 +93,10 @@ std::string to_table(const Report& report) {
                                     ? "left out of every figure"
                                     : "counted as non-ground";
   const SegmentationMetrics pooled = report.pooled();
-  return fmt::format("{}\nPoints without an answer are {}. Figures in percent.\n\n{}\n{}\n{}",
+  return fmt::format("{}\nPoints without an answer are {}. Figures in percent.\n\n{}\n{}\n{}{}",
                      report.title, treatment, sequence_table(report), class_table(pooled),
-                     distance_table(pooled, report.unanswered));
+                     distance_table(pooled, report.unanswered),
+                     grass_table(pooled, report.unanswered));
 }
 
 }  // namespace groundgrid::evaluation

@@ -15,6 +15,8 @@ double ratio(std::uint64_t part, std::uint64_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+constexpr std::uint16_t kTerrainClass = 72;
+
 std::size_t distance_bin(float x, float y) {
   const double bin =
       std::floor(std::hypot(static_cast<double>(x), static_cast<double>(y)) / kDistanceBinM);
@@ -81,6 +83,15 @@ void Tally::add(const Tally& other) {
   unanswered_non_ground += other.unanswered_non_ground;
 }
 
+void Tally::remove(const Tally& other) {
+  answered.true_positive -= other.answered.true_positive;
+  answered.false_positive -= other.answered.false_positive;
+  answered.false_negative -= other.answered.false_negative;
+  answered.true_negative -= other.answered.true_negative;
+  unanswered_ground -= other.unanswered_ground;
+  unanswered_non_ground -= other.unanswered_non_ground;
+}
+
 Confusion Tally::confusion(Unanswered treatment) const {
   Confusion counted = answered;
   if (treatment == Unanswered::as_non_ground) {
@@ -92,9 +103,11 @@ Confusion Tally::confusion(Unanswered treatment) const {
 
 void SegmentationMetrics::add_scan(std::span<const float> points, std::size_t floats_per_point,
                                    std::span<const std::uint32_t> truth,
-                                   std::span<const std::uint32_t> predicted) {
-  if (points.size() != truth.size() * floats_per_point || truth.size() != predicted.size())
-    throw std::invalid_argument("points, truth and predicted labels differ in number");
+                                   std::span<const std::uint32_t> predicted,
+                                   std::span<const float> heights) {
+  if (points.size() != truth.size() * floats_per_point || truth.size() != predicted.size() ||
+      (!heights.empty() && heights.size() != truth.size()))
+    throw std::invalid_argument("points, labels and heights differ in number");
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const std::uint16_t number = io::semantic_kitti_class(truth[i]);
     const Answer answer = answer_of(predicted[i]);
@@ -105,12 +118,15 @@ void SegmentationMetrics::add_scan(std::span<const float> points, std::size_t fl
     const std::size_t bin =
         distance_bin(points[i * floats_per_point], points[i * floats_per_point + 1]);
     by_distance_[bin].add(counted_as == Truth::ground, answer);
+    if (number == kTerrainClass && !heights.empty() && heights[i] > kHighGrassM)
+      high_grass_.add(true, answer);
   }
 }
 
 void SegmentationMetrics::add(const SegmentationMetrics& other) {
   for (std::size_t bin = 0; bin < kDistanceBins; ++bin)
     by_distance_[bin].add(other.by_distance_[bin]);
+  high_grass_.add(other.high_grass_);
   if (by_class_.size() < other.by_class_.size()) by_class_.resize(other.by_class_.size());
   for (std::size_t i = 0; i < other.by_class_.size(); ++i) {
     by_class_[i].ground += other.by_class_[i].ground;
@@ -123,6 +139,12 @@ Tally SegmentationMetrics::total() const {
   Tally total;
   for (const Tally& tally : by_distance_) total.add(tally);
   return total;
+}
+
+Tally SegmentationMetrics::without_high_grass() const {
+  Tally tally = total();
+  tally.remove(high_grass_);
+  return tally;
 }
 
 }  // namespace groundgrid::evaluation

@@ -44,6 +44,8 @@ struct Tally {
 
   void add(bool truth_is_ground, Answer answer);
   void add(const Tally& other);
+  /// Takes away points that were counted before.
+  void remove(const Tally& other);
   [[nodiscard]] std::uint64_t unanswered() const {
     return unanswered_ground + unanswered_non_ground;
   }
@@ -66,14 +68,20 @@ struct ClassTally {
 inline constexpr double kDistanceBinM = 10.0;
 inline constexpr std::size_t kDistanceBins = 6;
 
+/// Grass whose points lie higher than this over the soil counts apart, where that height is known:
+/// whether it is ground depends on what for. Metres.
+inline constexpr float kHighGrassM = 0.1F;
+
 /// Pools the points of scans; two of them can be pooled into one.
 class SegmentationMetrics {
  public:
   /// Counts one scan. `points` holds `floats_per_point` floats a point, x and y first, in the
   /// sensor's frame; `truth` and `predicted` hold one label a point. Throws std::invalid_argument
   /// where their lengths differ.
+  /// `heights` holds the true height of each point above the soil, metres, or nothing.
   void add_scan(std::span<const float> points, std::size_t floats_per_point,
-                std::span<const std::uint32_t> truth, std::span<const std::uint32_t> predicted);
+                std::span<const std::uint32_t> truth, std::span<const std::uint32_t> predicted,
+                std::span<const float> heights = {});
   void add(const SegmentationMetrics& other);
 
   /// Everything that counts: all points but those of the ignored classes.
@@ -82,10 +90,16 @@ class SegmentationMetrics {
   [[nodiscard]] const std::array<Tally, kDistanceBins>& by_distance() const { return by_distance_; }
   /// Every class, ignored ones too: element i is class number i. As long as the greatest class.
   [[nodiscard]] std::span<const ClassTally> by_class() const { return by_class_; }
+  /// Points of class terrain that lie higher than kHighGrassM, of scans with known heights; they
+  /// are part of total(), too.
+  [[nodiscard]] const Tally& high_grass() const { return high_grass_; }
+  /// Everything that counts but high grass.
+  [[nodiscard]] Tally without_high_grass() const;
 
  private:
   std::array<Tally, kDistanceBins> by_distance_{};
   std::vector<ClassTally> by_class_;
+  Tally high_grass_{};
 };
 
 }  // namespace groundgrid::evaluation

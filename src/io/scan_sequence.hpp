@@ -36,6 +36,8 @@ struct ScanSequence {
   [[nodiscard]] std::filesystem::path calibration() const { return folder / "calib.txt"; }
   [[nodiscard]] std::filesystem::path times() const { return folder / "times.txt"; }
   [[nodiscard]] std::filesystem::path labels() const { return folder / "labels"; }
+  /// Of simulated drives only.
+  [[nodiscard]] std::filesystem::path true_heights() const { return folder / "truth" / "height"; }
 };
 
 /// Finds the scans below `input`, which may be

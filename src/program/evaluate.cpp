@@ -17,6 +17,7 @@
 #include "io/path_checks.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "io/true_heights.hpp"
 #include "program/input_options.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
@@ -81,6 +82,34 @@ std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options)
   return sequences;
 }
 
+/// What is true of one scan after another of a sequence.
+class Truth {
+ public:
+  explicit Truth(const io::ScanSequence& sequence)
+      : labels_folder_(sequence.labels()),
+        heights_folder_(sequence.true_heights()),
+        has_heights_(io::is_folder(heights_folder_)) {}
+
+  void read(const io::ScanFile& scan, std::size_t points) {
+    io::read_labels(label_file(labels_folder_, scan), scan.path, points, labels_);
+    if (has_heights_)
+      io::read_true_heights(heights_folder_ / (scan.name + ".f32"), scan.path, points, heights_);
+  }
+
+  void count(const ScanSlot& slot, SequenceResult& figures) {
+    copy_coordinates(slot.points, coordinates_);
+    figures.metrics.add_scan(coordinates_, 3, labels_, slot.labels, heights_);
+  }
+
+ private:
+  fs::path labels_folder_;
+  fs::path heights_folder_;
+  bool has_heights_;
+  std::vector<std::uint32_t> labels_;
+  std::vector<float> heights_;
+  std::vector<float> coordinates_;
+};
+
 struct Evaluation {
   Report report;
   std::vector<MethodNotes> notes;  ///< Of each sequence; none where predictions were read.
@@ -89,8 +118,7 @@ struct Evaluation {
 SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence, MethodNotes& notes,
                           ProgressBar& progress) {
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
-  std::vector<std::uint32_t> truth;
-  std::vector<float> coordinates;
+  Truth truth(sequence);
   std::vector<double> milliseconds;
   ScanSlot slot;
   // One after the other, so that nothing disturbs the times.
@@ -98,9 +126,8 @@ SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence,
     check_interrupt();
     runner.read(scan, slot);
     runner.process(scan, slot);
-    io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
-    copy_coordinates(slot.points, coordinates);
-    figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
+    truth.read(scan, slot.size());
+    truth.count(slot, figures);
     milliseconds.push_back(slot.milliseconds);
     progress.advance();
   }
@@ -139,15 +166,13 @@ SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSe
                  sequence.scans.size());
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
   ScanSlot slot;
-  std::vector<float> coordinates;
-  std::vector<std::uint32_t> truth;
+  Truth truth(sequence);
   for (const io::ScanFile& scan : sequence.scans) {
     check_interrupt();
     read_into_slot(scan, Eigen::Matrix3d::Identity(), slot);
-    io::read_labels(label_file(sequence.labels(), scan), scan.path, slot.size(), truth);
+    truth.read(scan, slot.size());
     io::read_labels(label_file(folder, scan), scan.path, slot.size(), slot.labels);
-    copy_coordinates(slot.points, coordinates);
-    figures.metrics.add_scan(coordinates, 3, truth, slot.labels);
+    truth.count(slot, figures);
   }
   return figures;
 }

@@ -107,6 +107,22 @@ TEST_F(Evaluate, GivesTheSameFiguresFromWrittenLabels) {
   EXPECT_EQ(ran["pooled"], read["pooled"]);
 }
 
+TEST_F(Evaluate, CountsGrassApartWhereTheSoilIsKnown) {
+  predict_truth();
+  const std::size_t points = test::SyntheticScan().size();
+  test::write_numbers(dataset.label_file("01", 0), std::vector<std::uint32_t>(points, 72));
+  const fs::path heights = dataset.folder / "sequences/01/truth/height/000000.f32";
+  EXPECT_FALSE(contains(evaluate_predictions().output, "grass over 10 cm"));
+  test::write_numbers(heights, std::vector<float>(points, 0.2F));
+  EXPECT_TRUE(contains(evaluate_predictions().output, "grass over 10 cm"));
+  EXPECT_TRUE(contains(evaluate_predictions("--csv").output, "\nwithout_high_grass,,"));
+  const json report = json::parse(evaluate_predictions("--json").output);
+  EXPECT_EQ(report["sequences"][1]["without_high_grass"]["points"], 0);
+  EXPECT_EQ(report["pooled"]["without_high_grass"]["points"], 3 * points);
+  test::write_numbers(heights, std::vector<float>(points - 1, 0.2F));
+  EXPECT_EQ(evaluate_predictions().exit_code, 1);
+}
+
 TEST_F(Evaluate, FindsNoFaultInTheTruth) {
   predict_truth();
   const ProgramRun run = evaluate_predictions("--json");

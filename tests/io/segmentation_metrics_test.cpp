@@ -128,6 +128,26 @@ TEST(SegmentationMetrics, PoolScans) {
   EXPECT_EQ(metrics.by_class()[40].points(), 2U);
 }
 
+TEST(SegmentationMetrics, CountHighGrassApart) {
+  // Above 10 cm only the two points of class terrain are grass; the last has no answer.
+  const std::vector<float> coordinates(3 * 6);
+  const std::vector<std::uint32_t> truth{72, 72, 72, 40, 50, 72};
+  const std::vector<std::uint32_t> predicted{40, 40, 99, 40, 40, 0};
+  const std::vector<float> heights{0.0F, 0.1F, 0.11F, 0.5F, 2.0F, 0.3F};
+  SegmentationMetrics metrics;
+  metrics.add_scan(coordinates, 3, truth, predicted, heights);
+  EXPECT_EQ(metrics.high_grass().points(), 2U);
+  EXPECT_EQ(metrics.total().confusion(Unanswered::as_non_ground),
+            (Confusion{.true_positive = 3, .false_positive = 1, .false_negative = 2}));
+  EXPECT_EQ(metrics.without_high_grass().confusion(Unanswered::as_non_ground),
+            (Confusion{.true_positive = 3, .false_positive = 1}));
+
+  SegmentationMetrics pooled;
+  pooled.add(metrics);
+  pooled.add(metrics);
+  EXPECT_EQ(pooled.high_grass().points(), 4U);
+}
+
 TEST(SegmentationMetrics, RejectLengthsThatDiffer) {
   const std::vector<float> two_points(8);
   const std::vector<std::uint32_t> one{40};
@@ -135,6 +155,8 @@ TEST(SegmentationMetrics, RejectLengthsThatDiffer) {
   SegmentationMetrics metrics;
   EXPECT_THROW(metrics.add_scan(two_points, 4, one, one), std::invalid_argument);
   EXPECT_THROW(metrics.add_scan(two_points, 4, two, one), std::invalid_argument);
+  EXPECT_THROW(metrics.add_scan(two_points, 4, two, two, std::vector<float>(1)),
+               std::invalid_argument);
   EXPECT_NO_THROW(metrics.add_scan(two_points, 4, two, two));
 }
 
