@@ -1,21 +1,28 @@
 #include "program/simulate.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <CLI/Validators.hpp>
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <vector>
 
 #include "io/atomic_file.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
 #include "program/progress_bar.hpp"
+#include "program/usage_error.hpp"
 #include "program/version.hpp"
 #include "simulation/scene.hpp"
+#include "simulation/sensor_file.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/version.hpp"
 
@@ -28,17 +35,49 @@ using simulation::Motion;
 struct SimulateOptions {
   fs::path output;
   std::string sequence = "00";
-  std::string sensor = "hdl-64e";
+  std::vector<std::string> sensors{"hdl-64e"};
   double height_m = 0.0;
   simulation::DriveOptions drive;
 };
 
-fs::path sequence_folder(const SimulateOptions& options) {
-  return options.output / "sequences" / options.sequence;
+std::string sequence_name(const SimulateOptions& options, std::size_t sensor) {
+  return options.sensors.size() == 1 ? options.sequence : fmt::format("{:02}", sensor);
+}
+
+fs::path sequence_folder(const SimulateOptions& options, std::size_t sensor) {
+  return options.output / "sequences" / sequence_name(options, sensor);
+}
+
+simulation::Sensor find_sensor(const std::string& name) {
+  const std::vector<std::string> names = simulation::sensor_names();
+  if (std::find(names.begin(), names.end(), name) != names.end())
+    return simulation::make_sensor(name);
+  if (fs::path(name).extension() == ".toml") return simulation::read_sensor(name);
+  throw UsageError(fmt::format("--sensor: expected {} or a file that ends with .toml, got '{}'",
+                               fmt::join(names, ", "), name));
+}
+
+void find_sensors(SimulateOptions& options, bool named) {
+  if (options.sensors.size() > 1 && named)
+    throw UsageError("--sequence is for one sensor; several become the sequences 00, 01, ...");
+  for (const std::string& name : options.sensors) {
+    options.drive.sensors.push_back(find_sensor(name));
+    if (options.height_m > 0.0) options.drive.sensors.back().mount.height_m = options.height_m;
+  }
+}
+
+std::array<std::array<double, 4>, 4> rows_of(const Eigen::Isometry3d& transform) {
+  std::array<std::array<double, 4>, 4> rows{};
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t column = 0; column < 4; ++column)
+      rows[row][column] =
+          transform(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+  return rows;
 }
 
 // Written last, it marks a whole drive.
-void write_record(const SimulateOptions& options, std::size_t points) {
+void write_record(const SimulateOptions& options, std::size_t index, std::size_t points) {
+  const simulation::Sensor& sensor = options.drive.sensors[index];
   const nlohmann::ordered_json json{
       {"program", "groundgrid"},
       {"version", version()},
@@ -46,33 +85,38 @@ void write_record(const SimulateOptions& options, std::size_t points) {
       {"simulated", true},
       {"simulation_version", simulation::kSimulationVersion},
       {"scene", options.drive.scene},
-      {"sensor", options.sensor},
-      {"sensor_height_m", options.drive.sensor.T_base_sensor.translation().z()},
-      {"scans", options.drive.scans},
+      {"sensor", sensor.name},
+      {"sensor_height_m", sensor.mount.height_m},
+      {"T_base_sensor", rows_of(sensor.T_base_sensor())},
+      {"scans", simulation::scans_of(options.drive, index)},
       {"seed", options.drive.seed},
       {"motion", options.drive.motion == Motion::corrected ? "corrected" : "distorted"},
       {"pose_noise_m", options.drive.pose_noise_m},
       {"pose_drift_m", options.drive.pose_drift_m},
       {"points", points}};
-  io::write_text(sequence_folder(options) / "truth" / "drive.json", to_text(json));
+  io::write_text(sequence_folder(options, index) / "truth" / "drive.json", to_text(json));
 }
 
-void simulate(SimulateOptions& options) {
-  options.drive.sensor = simulation::make_sensor(options.sensor);
-  if (options.height_m > 0.0)
-    options.drive.sensor.T_base_sensor.translation().z() = options.height_m;
-  ProgressBar progress(options.drive.scans);
+void simulate(const SimulateOptions& options) {
+  std::vector<fs::path> folders;
+  std::size_t scans = 0;
+  for (std::size_t i = 0; i < options.sensors.size(); ++i) {
+    folders.push_back(sequence_folder(options, i));
+    scans += simulation::scans_of(options.drive, i);
+  }
+  ProgressBar progress(scans);
   const auto begin = std::chrono::steady_clock::now();
-  std::size_t points = 0;
-  simulation::simulate_drive(options.drive, sequence_folder(options), [&](std::size_t in_scan) {
+  std::vector<std::size_t> points(folders.size());
+  simulation::simulate_drive(options.drive, folders, [&](std::size_t sensor, std::size_t in_scan) {
     check_interrupt();
-    points += in_scan;
+    points[sensor] += in_scan;
     progress.advance();
   });
-  write_record(options, points);
+  for (std::size_t i = 0; i < folders.size(); ++i) write_record(options, i, points[i]);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  spdlog::info("{} scans with {} points on average in {:.1f} s are in {}", options.drive.scans,
-               points / options.drive.scans, seconds.count(), sequence_folder(options).string());
+  spdlog::info("{} scans with {} points on average in {:.1f} s are in {}", scans,
+               std::accumulate(points.begin(), points.end(), std::size_t{0}) / scans,
+               seconds.count(), (options.output / "sequences").string());
 }
 
 void add_errors(CLI::App& command, simulation::DriveOptions& drive) {
@@ -102,22 +146,28 @@ void add_simulate(CLI::App& app) {
       ->required()
       ->check(CLI::IsMember(simulation::scene_names()));
   command->add_option("OUT", options->output, "Folder of the dataset")->required();
-  command->add_option("--sensor", options->sensor, "The LiDAR [hdl-64e]")
-      ->check(CLI::IsMember(simulation::sensor_names()));
+  command->add_option("--sensor", options->sensors,
+                      fmt::format("The LiDAR: {}, or a .toml file; once for each on the vehicle "
+                                  "[hdl-64e]",
+                                  fmt::join(simulation::sensor_names(), ", ")));
   command
       ->add_option("--sensor-height-m", options->height_m,
-                   "Its height over the ground instead of its usual one")
+                   "Height over the ground instead of the sensor's usual one")
       ->check(CLI::Range(0.2, 5.0));
   command->add_option("--scans", options->drive.scans, "How many [200]")
       ->check(CLI::Range(1, 100000));
   command->add_option("--seed", options->drive.seed, "Of the world and all noise [1]");
-  command->add_option("--sequence", options->sequence, "Name of the sequence [00]");
+  const CLI::Option* const sequence =
+      command->add_option("--sequence", options->sequence, "Name of the sequence [00]");
   command
       ->add_option("--threads", options->drive.threads,
                    "0: one for each core; changes no bit of the result [0]")
       ->check(CLI::Range(0, 1024));
   add_errors(*command, options->drive);
-  command->callback([options] { simulate(*options); });
+  command->callback([options, sequence] {
+    find_sensors(*options, sequence->count() > 0);
+    simulate(*options);
+  });
 }
 
 }  // namespace groundgrid::program

@@ -119,14 +119,6 @@ Mesh make_rock(Random random) {
   return mesh;
 }
 
-Mesh make_aerial() {
-  Mesh mesh;
-  const std::uint32_t plastic =
-      mesh.add_surface({.label = label::kUnlabeled, .reflectivity = 0.1F});
-  add_box(mesh, {-1.4, 0.5, 1.05}, {-1.36, 0.54, 1.4}, plastic);
-  return mesh;
-}
-
 Mesh make_building(Random random, double length_m, double depth_m, double height_m) {
   Mesh mesh;
   const std::uint32_t wall = mesh.add_surface(

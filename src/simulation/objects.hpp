@@ -50,9 +50,6 @@ Mesh make_pole(double height_m, double radius_m);
 Mesh make_sign(Random random);
 Mesh make_bin(Random random);
 Mesh make_rock(Random random);
-/// What of the own vehicle stands in the way of its sensor: an aerial behind it, in the base's
-/// frame.
-Mesh make_aerial();
 /// From x = 0 to `length_m`, y = -depth_m to 0; its foot lies 3 m under z = 0, for slopes.
 Mesh make_building(Random random, double length_m, double depth_m, double height_m);
 /// Along x, `depth_m` thick about y = 0, standing `foot_m` deep in the ground.

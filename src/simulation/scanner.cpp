@@ -4,17 +4,13 @@
 
 #include "simulation/noise.hpp"
 #include "simulation/objects.hpp"
+#include "simulation/own_vehicle.hpp"
 
 namespace groundgrid::simulation {
 namespace {
 
 constexpr std::size_t kRaysPerTile = 2048;
 constexpr double kOwnVehicle_m = 4.0;
-
-RayCaster aerial_caster() {
-  const Mesh aerial = make_aerial();
-  return RayCaster({&aerial});
-}
 
 enum Purpose : std::uint64_t { kEcho = 10, kEdge = 11, kRange = 12 };
 
@@ -28,7 +24,9 @@ Scanner::Scanner(World& world, const Drive& drive, Sensor sensor, Motion motion,
       motion_(motion),
       seed_(seed),
       runner_(&runner),
-      own_vehicle_(aerial_caster()),
+      T_base_sensor_(sensor_.T_base_sensor()),
+      own_vehicle_mesh_(make_own_vehicle(sensor_.mount.height_m)),
+      own_vehicle_({&own_vehicle_mesh_}),
       columns_(static_cast<std::size_t>(sensor_.columns)),
       echoes_(sensor_.beams.size() * columns_.size()),
       mixed_(echoes_.size()) {
@@ -53,8 +51,7 @@ Scan Scanner::scan(std::size_t index) {
 
 void Scanner::place_columns(std::size_t index, Scan& scan) {
   const auto pose_at = [&](double share) {
-    return drive_->pose((static_cast<double>(index) + share) / sensor_.rate_hz) *
-           sensor_.T_base_sensor;
+    return drive_->pose((static_cast<double>(index) + share) / sensor_.rate_hz) * T_base_sensor_;
   };
   scan.T_world_sensor = pose_at(0.0);
   const Eigen::Isometry3d T_sensor_world = scan.T_world_sensor.inverse();
@@ -74,10 +71,12 @@ Ray Scanner::ray(std::size_t ray_index, std::size_t scan_index) const {
 
 Echo Scanner::measure(std::size_t ray_index, std::size_t scan_index) const {
   const Ray in_sensor = ray(ray_index, scan_index);
-  const Ray in_base{sensor_.T_base_sensor * in_sensor.origin,
-                    sensor_.T_base_sensor.linear() * in_sensor.direction};
-  if (const auto hit = own_vehicle_.cast(in_base, sensor_.least_range_m, kOwnVehicle_m))
-    return {hit->distance_m, label::kUnlabeled, 0.1F};
+  const Ray in_base{T_base_sensor_ * in_sensor.origin,
+                    T_base_sensor_.linear() * in_sensor.direction};
+  if (const auto hit = own_vehicle_.cast(in_base, 0.0, kOwnVehicle_m)) {
+    const float reflectivity = own_vehicle_mesh_.surface(hit->triangle).reflectivity;
+    return {reflectivity > 0.0F ? hit->distance_m : 0.0, label::kUnlabeled, reflectivity};
+  }
   const Eigen::Isometry3d& T_world_sensor = columns_[ray_index % columns_.size()].T_world_sensor;
   return world_->echo(
       {T_world_sensor * in_sensor.origin, T_world_sensor.linear() * in_sensor.direction},

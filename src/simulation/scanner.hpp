@@ -52,6 +52,8 @@ class Scanner {
   Motion motion_;
   std::uint64_t seed_;
   TileRunner* runner_;
+  Eigen::Isometry3d T_base_sensor_;
+  Mesh own_vehicle_mesh_;
   RayCaster own_vehicle_;
   std::vector<double> bias_m_;  ///< Of each beam.
   std::vector<Column> columns_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "simulation/scanner.hpp"
 #include "simulation/sensors.hpp"
@@ -14,8 +15,8 @@ namespace groundgrid::simulation {
 /// A drive to be simulated.
 struct DriveOptions {
   std::string scene = "urban";
-  Sensor sensor{};
-  std::size_t scans = 200;
+  std::vector<Sensor> sensors{};  ///< All on the same vehicle.
+  std::size_t scans = 200;        ///< Of the first sensor; the others go on for as long.
   std::uint64_t seed = 1;
   Motion motion = Motion::corrected;
   int threads = 0;  ///< 0: one for each core. Changes no bit of the result.
@@ -25,12 +26,16 @@ struct DriveOptions {
   double pose_drift_m = 0.0;
 };
 
-/// Called after each scan with the number of its points.
-using ScanListener = std::function<void(std::size_t points)>;
+/// Called after each scan with the index of its sensor and the number of its points.
+using ScanListener = std::function<void(std::size_t sensor, std::size_t points)>;
 
-/// Simulates a drive and writes it to `folder` (see SequenceWriter). Throws io::Error where it
-/// cannot write and std::invalid_argument where there is no such scene.
-void simulate_drive(const DriveOptions& options, const std::filesystem::path& folder,
+/// How many scans a sensor of the drive makes.
+std::size_t scans_of(const DriveOptions& options, std::size_t sensor);
+
+/// Simulates a drive and writes what each sensor measures to a folder of its own (see
+/// SequenceWriter). Throws io::Error where it cannot write and std::invalid_argument where there is
+/// no such scene, no sensor, or not a folder for each.
+void simulate_drive(const DriveOptions& options, const std::vector<std::filesystem::path>& folders,
                     const ScanListener& listener);
 
 }  // namespace groundgrid::simulation

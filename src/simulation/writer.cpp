@@ -77,10 +77,11 @@ SequenceWriter::SequenceWriter(fs::path folder) : folder_(std::move(folder)) {
 
 void SequenceWriter::add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor) {
   const std::string name = fmt::format("{:06}", true_poses_.size());
-  if (true_poses_.empty()) T_first_world_ = scan.T_world_sensor.inverse();
-  true_poses_.push_back(T_first_world_ * scan.T_world_sensor);
-  const Eigen::Isometry3d T_first_sensor = T_first_world_ * T_world_sensor;
-  poses_ += numbers_of(T_camera_lidar() * T_first_sensor * T_camera_lidar().inverse());
+  if (true_poses_.empty()) first_place_ = scan.T_world_sensor.translation();
+  const Eigen::Translation3d T_map_world(-first_place_);
+  true_poses_.push_back(T_map_world * scan.T_world_sensor);
+  const Eigen::Isometry3d T_map_sensor = T_map_world * T_world_sensor;
+  poses_ += numbers_of(T_camera_lidar() * T_map_sensor * T_camera_lidar().inverse());
   times_ += fmt::format("{:.6e}\n", time_s);
   write_floats(folder_ / "velodyne" / (name + ".bin"), scan.points);
   io::write_labels(folder_ / "labels" / (name + ".label"), scan.labels);
@@ -93,17 +94,16 @@ void SequenceWriter::finish(const Terrain& terrain) const {
   write_truth(terrain);
 }
 
-// The first pose is level and looks along the world's x, so the two frames differ by a shift.
 void SequenceWriter::write_truth(const Terrain& terrain) const {
   const geotiff::RasterGrid grid = grid_around(true_poses_);
-  const Eigen::Vector3d shift = T_first_world_.translation();
   std::vector<float> heights;
   heights.reserve(static_cast<std::size_t>(grid.columns * grid.rows));
   for (std::int64_t row = 0; row < grid.rows; ++row)
     for (std::int64_t column = 0; column < grid.columns; ++column) {
       const Eigen::Vector2d middle(grid.min_x_m + (static_cast<double>(column) + 0.5) * kCell_m,
                                    grid.min_y_m + (static_cast<double>(row) + 0.5) * kCell_m);
-      heights.push_back(static_cast<float>(terrain.height(middle - shift.head<2>()) + shift.z()));
+      heights.push_back(
+          static_cast<float>(terrain.height(middle + first_place_.head<2>()) - first_place_.z()));
     }
   geotiff::write_heights(folder_ / "truth" / "terrain.tif", grid, heights);
 }

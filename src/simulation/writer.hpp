@@ -14,7 +14,9 @@ namespace groundgrid::simulation {
 /// Writes one sequence in SemanticKITTI layout, with the truth beside it:
 ///   velodyne/NNNNNN.bin, labels/NNNNNN.label, calib.txt, poses.txt, times.txt
 ///   truth/height/NNNNNN.f32   metres above the soil, of each point, 32-bit floats
-///   truth/terrain.tif         height of the soil in the frame of the first pose, 0.2 m cells
+///   truth/terrain.tif         height of the soil, 0.2 m cells
+/// Poses and terrain are in a frame with its origin where the sensor is at first, z up and x along
+/// the vehicle: that of the first scan, unless the sensor is mounted askew.
 /// Every call throws io::Error where it cannot write.
 class SequenceWriter {
  public:
@@ -34,7 +36,7 @@ class SequenceWriter {
   std::vector<Eigen::Isometry3d> true_poses_;
   std::string poses_;
   std::string times_;
-  Eigen::Isometry3d T_first_world_ = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d first_place_ = Eigen::Vector3d::Zero();  ///< Of the sensor, in the world.
 };
 
 }  // namespace groundgrid::simulation
