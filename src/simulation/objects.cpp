@@ -34,7 +34,7 @@ Mesh make_car(Random random, std::uint16_t label, std::uint16_t instance) {
   const double half = random.uniform(1.95, 2.35);
   const double top = random.uniform(1.4, 1.75);
   const double half_width = random.uniform(0.82, 0.92);
-  const double sill = random.uniform(0.22, 0.32);
+  const double sill = random.uniform(0.16, 0.28);
   const double belt = random.uniform(0.88, 1.0);
   add_profile(mesh, {{-half, sill}, {half, sill}, {half, 0.7}, {half - 1.1, belt}, {-half, belt}},
               -half_width, half_width, {paint, paint, paint, paint, paint}, paint);

@@ -16,11 +16,13 @@ Mesh make_own_vehicle(double sensor_height_m) {
   Mesh mesh;
   const std::uint32_t roof = mesh.add_surface({.label = label::kUnlabeled, .reflectivity = 0.0F});
   const std::uint32_t rack = mesh.add_surface({.label = label::kUnlabeled, .reflectivity = 0.1F});
-  if (sensor_height_m > kRoof_m)
-    add_box(mesh, {-1.06, -0.6, kRoof_m - 0.1}, {0.86, 0.6, kRoof_m}, roof);
-  add_box(mesh, {-1.22, 1.09, 1.1}, {-1.19, 1.12, 1.2}, rack);
-  add_box(mesh, {-1.46, -1.34, 1.0}, {-1.43, -1.31, 1.1}, rack);
-  add_box(mesh, {1.61, 1.4, 1.15}, {1.64, 1.43, 1.25}, rack);
+  if (sensor_height_m > kRoof_m) {
+    add_box(mesh, {-1.06, -0.42, kRoof_m - 0.1}, {0.2, 0.42, kRoof_m}, roof);
+    add_box(mesh, {0.2, -0.22, kRoof_m - 0.1}, {0.86, 0.22, kRoof_m}, roof);
+  }
+  add_box(mesh, {-1.21, 1.1, 1.1}, {-1.19, 1.12, 1.18}, rack);
+  add_box(mesh, {-1.45, -1.33, 1.02}, {-1.43, -1.31, 1.1}, rack);
+  add_box(mesh, {1.62, 1.41, 1.17}, {1.64, 1.43, 1.25}, rack);
   return mesh;
 }
 

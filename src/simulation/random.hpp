@@ -21,6 +21,7 @@ constexpr std::uint64_t hash(std::initializer_list<std::uint64_t> words) {
 }
 
 /// Numbers one after another from one hash, for a single owner: an object that is placed, a ray.
+/// Two of them in the arguments of one call come in no certain order, and so does a copy.
 class Random {
  public:
   explicit constexpr Random(std::uint64_t key) : key_(key) {}

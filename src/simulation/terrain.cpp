@@ -13,6 +13,7 @@ constexpr double kTile_m = 12.8;
 int cells_for(const Station& station, double driven_m) {
   const double beside = std::abs(station.d);
   const double beyond = std::max(-station.s, station.s - driven_m);
+  if (beside < 14.0 && beyond < 30.0) return 128;
   if (beside < 22.0 && beyond < 30.0) return 64;
   if (beside < 22.0) return 32;
   if (beside < 45.0) return 16;

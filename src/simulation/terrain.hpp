@@ -20,7 +20,7 @@ struct Ground {
 
 using GroundFunction = std::function<Ground(const Eigen::Vector2d& place)>;
 
-/// The soil as triangles: squares of 0.2 m beside the stretch of the path that is driven, larger
+/// The soil as triangles: squares of 0.1 m beside the stretch of the path that is driven, larger
 /// ones farther off, without cracks between them. What these triangles say is the truth, since
 /// they are what rays meet.
 class Terrain {

@@ -117,7 +117,7 @@ TEST_F(Town, HasTheSharesOfRealScans) {
   EXPECT_GT(ground, 0.39);
   EXPECT_LT(ground, 0.6);
   const double leaves = points().share([&](std::size_t i) { return points().label(i) == 70; });
-  EXPECT_GT(leaves, 0.12);
+  EXPECT_GT(leaves, 0.08);
   EXPECT_LT(leaves, 0.3);
   const double outliers = points().share([&](std::size_t i) { return points().label(i) == 1; });
   EXPECT_GT(outliers, 0.0001);
@@ -136,11 +136,12 @@ TEST_F(Town, TheFirstRingIsAboutFourMetresAway) {
 }
 
 TEST_F(Town, PavedGroundIsAtTheHeightOfTheSoil) {
-  for (std::size_t i = 0; i < points().size(); ++i) {
+  // At the edge of a step an error of the range is one of the height.
+  const double off = points().share([&](std::size_t i) {
     const std::uint16_t label = points().label(i);
-    if (label != 40 && label != 44 && label != 48) continue;
-    ASSERT_NEAR(points().heights[i], 0.0F, 0.2F) << i;
-  }
+    return (label == 40 || label == 44 || label == 48) && std::abs(points().heights[i]) > 0.1F;
+  });
+  EXPECT_LT(off, 0.0001);
 }
 
 TEST_F(Town, SomeReflectionsLieBelowTheGround) {
