@@ -1,53 +1,98 @@
 #!/usr/bin/env bash
-# demo.sh [--check] DATASET: segments a dataset into build/demo and, where it has labels, scores
-# both presets. With --check it only looks whether the dataset is there.
+# demo.sh OUT [SCANS]: simulates a drive through a town and one up a wooded hill, segments both with
+# both presets, sets labels and terrain beside the truth, and draws what came out. Needs no data.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-explain() {
-  cat >&2 <<'TEXT'
-The demo needs LiDAR scans, which we may not ship. SemanticKITTI has them, with labels:
+out=${1:?demo.sh OUT [SCANS]}
+scans=${2:-200}
+middle=$((scans / 2))
+groundgrid=build/release/src/program/groundgrid
+drives=$out/drives
+scenes=(urban hill)  # sequences 00 and 01
 
-  1. From https://semantic-kitti.org/dataset.html get "KITTI Odometry Benchmark Velodyne point
-     clouds" (80 GB) and "calibration data", and "SemanticKITTI label data" (179 MB).
-  2. Unpack them into one folder, so that it looks like this (one sequence is enough):
-
-       dataset/sequences/00/velodyne/000000.bin ...
-                            labels/000000.label ...
-                            calib.txt  poses.txt  times.txt
-
-  3. make demo DATA=path/to/dataset
-
-Without labels, e.g. plain KITTI, the scans are segmented but not scored.
-TEXT
+simulate() {
+  for i in "${!scenes[@]}"; do
+    echo "Simulating $scans scans of a Velodyne HDL-64E, scene ${scenes[i]} ..."
+    "$groundgrid" simulate "${scenes[i]}" "$drives" --sequence "0$i" --scans "$scans" 2>"$out/log" ||
+      fail
+  done
 }
 
-check_only=false
-if [[ "${1:-}" == --check ]]; then check_only=true; shift; fi
-data=${1:-}
-
-if [[ -z "$data" ]]; then
-  explain
+fail() {
+  cat "$out/log" >&2
   exit 1
-fi
-if [[ -z "$(find -L "$data" -name '*.bin' -print -quit 2>/dev/null)" ]]; then
-  echo "There are no scans (.bin files) below '$data'." >&2
-  echo >&2
-  explain
-  exit 1
-fi
-if $check_only; then exit 0; fi
+}
 
-groundgrid=build/release/src/program/groundgrid
-output=build/demo
-
-"$groundgrid" segment "$data" --output "$output"
-echo "One label per point is in $output (run.json says what was done)."
-if [[ -n "$(find -L "$data" -path '*/labels/*.label' -print -quit)" ]]; then
+segment() {
   for preset in default paper; do
-    echo
-    "$groundgrid" evaluate "$data" --preset "$preset"
+    local as_seen=()
+    # The paper neither takes anything out of its terrain nor fills it from the whole drive.
+    if [[ $preset == paper ]]; then as_seen=(--terrain-as-seen); fi
+    echo "Segmenting both drives, preset $preset ..."
+    "$groundgrid" segment "$drives" --output "$out/$preset" --preset "$preset" --terrain \
+      "${as_seen[@]}" 2>"$out/log" || fail
   done
-else
-  echo "There are no labels below '$data', so nothing is scored."
-fi
+}
+
+segmentation_table() {
+  echo
+  echo "Ground segmentation of the simulated drives (00 urban, 01 hill), percent"
+  for preset in default paper; do
+    "$groundgrid" evaluate "$drives" --preset "$preset" >"$out/$preset/segmentation.txt" \
+      2>"$out/log" || fail
+    echo
+    echo "preset $preset"
+    sed -n '/^sequence /,/^average /p' "$out/$preset/segmentation.txt"
+  done
+}
+
+terrain_table() {
+  echo
+  echo "Terrain height of the simulated drives against the truth, metres"
+  for preset in default paper; do
+    for i in "${!scenes[@]}"; do
+      local report=$out/$preset/sequences/0$i/terrain.txt
+      "$groundgrid" evaluate-terrain "$out/$preset/sequences/0$i/terrain.tif" \
+        "$drives/sequences/0$i/truth/terrain.tif" >"$report" 2>"$out/log" || fail
+      echo
+      echo "preset $preset, ${scenes[i]}"
+      sed -n '/^all cells /,/^all /{/^$/q;p}' "$report"
+    done
+  done
+}
+
+draw() {
+  echo
+  echo "Drawing ..."
+  mkdir -p "$out/pictures"
+  for i in "${!scenes[@]}"; do
+    local scene=${scenes[i]} sequence=$drives/sequences/0$i
+    local terrain=$out/default/sequences/0$i/terrain.tif
+    picture "$scene-scan.png" scan "$drives" --sequence "0$i" --scan "$middle"
+    picture "$scene-errors.png" scan "$drives" --sequence "0$i" --scan "$middle" --errors
+    picture "$scene-view.png" scan "$drives" --sequence "0$i" --scan "$middle" --view perspective
+    picture "$scene-terrain.png" terrain "$terrain" --path "$sequence/poses.txt" \
+      --calibration "$sequence/calib.txt"
+    picture "$scene-terrain-view.png" terrain "$terrain" --view perspective
+    picture "$scene-terrain-errors.png" error "$terrain" "$sequence/truth/terrain.tif"
+  done
+  picture hill-drive.gif drive "$drives" --sequence 01 --every 5
+}
+
+picture() {
+  local name=$1
+  shift
+  "$groundgrid" render "$@" --output "$out/pictures/$name" 2>"$out/log" || fail
+}
+
+mkdir -p "$out"
+simulate
+segment
+segmentation_table
+terrain_table
+draw
+rm -f "$out/log"
+echo
+echo "Look at $out/pictures first. Labelled scans and terrain.tif are in $out/default and"
+echo "$out/paper, the drives with their truth in $drives; they are a SemanticKITTI dataset."

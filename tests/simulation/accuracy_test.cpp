@@ -1,0 +1,74 @@
+// Short simulated drives through every scene with two sensors: the default must stay as accurate
+// as it is. Each least or greatest value stands just beside the measured one.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "run_program.hpp"
+
+namespace groundgrid {
+namespace {
+
+using nlohmann::json;
+using test::run_program;
+using test::shell_word;
+
+struct Drive {
+  std::string scene;
+  std::string sensor;
+  double least_iou;         // measured
+  double greatest_dense_m;  // measured, RMSE of the terrain
+};
+
+void PrintTo(const Drive& drive, std::ostream* out) { *out << drive.scene << ' ' << drive.sensor; }
+
+json result_of(const std::string& command) {
+  const test::ProgramRun run = run_program(command + " --json");
+  EXPECT_EQ(run.exit_code, 0) << run.words;
+  return run.exit_code == 0 ? json::parse(run.output) : json{};
+}
+
+class Accuracy : public ::testing::TestWithParam<Drive> {
+ protected:
+  Accuracy() {
+    const test::ProgramRun run =
+        run_program("simulate " + GetParam().scene + " " + shell_word(drive.path()) +
+                    " --scans 20 --seed 7 --sensor " + GetParam().sensor);
+    EXPECT_EQ(run.exit_code, 0) << run.words;
+  }
+
+  test::TemporaryFolder drive;
+  test::TemporaryFolder output;
+};
+
+TEST_P(Accuracy, OfLabelsAndTerrainHolds) {
+  const json labels = result_of("evaluate " + shell_word(drive.path()));
+  EXPECT_GE(100.0 * labels["average"]["iou"].get<double>(), GetParam().least_iou);
+
+  ASSERT_EQ(run_program("segment " + shell_word(drive.path()) + " --terrain --output " +
+                        shell_word(output.path()))
+                .exit_code,
+            0);
+  const json terrain = result_of("evaluate-terrain " +
+                                 shell_word(output / "sequences/00/terrain.tif") + " " +
+                                 shell_word(drive / "sequences/00/truth/terrain.tif"));
+  const json& dense = terrain["density"]["dense"];
+  EXPECT_GE(dense["coverage"].get<double>(), 0.99);
+  EXPECT_LE(dense["rmse_m"].get<double>(), GetParam().greatest_dense_m);
+}
+
+INSTANTIATE_TEST_SUITE_P(Simulated, Accuracy,
+                         ::testing::Values(Drive{"urban", "hdl-64e", 90.0, 0.2},   // 
+                                           Drive{"urban", "vlp-16", 90.0, 0.2},    //
+                                           Drive{"hill", "hdl-64e", 80.0, 0.3},    //
+                                           Drive{"hill", "vlp-16", 80.0, 0.3},     //
+                                           Drive{"motorway", "hdl-64e", 90.0, 0.3},
+                                           Drive{"motorway", "vlp-16", 90.0, 0.3},
+                                           Drive{"village", "hdl-64e", 80.0, 1.0},
+                                           Drive{"village", "vlp-16", 80.0, 1.0},
+                                           Drive{"offroad", "hdl-64e", 90.0, 0.3},
+                                           Drive{"offroad", "vlp-16", 90.0, 0.3}));
+
+}  // namespace
+}  // namespace groundgrid
