@@ -7,7 +7,8 @@ packages_of() {
   case "$1" in
     build) echo g++ cmake ninja-build libeigen3-dev libtbb-dev libcli11-dev libspdlog-dev \
                 libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev \
-                libgdal-dev libembree-dev libyaml-cpp-dev pkg-config ;;
+                libgdal-dev libembree-dev libyaml-cpp-dev pkg-config \
+                libcairo2-dev fonts-dejavu-core ;;
     bench) echo libbenchmark-dev ;;
     coverage) echo gcovr ;;
     fuzz) echo clang-14 libclang-rt-14-dev ;;

@@ -14,6 +14,7 @@
 #include "program/info.hpp"
 #include "program/interrupt.hpp"
 #include "program/params.hpp"
+#include "program/render.hpp"
 #include "program/reproduce.hpp"
 #include "program/segment.hpp"
 #include "program/simulate.hpp"
@@ -62,6 +63,7 @@ int run(int argc, const char* const* argv) {
   add_evaluate_terrain(app, arguments);
   add_info(app);
   add_params(app);
+  add_render(app);
   add_reproduce(app);
   add_simulate(app);
   return run_app(app, argc, argv);

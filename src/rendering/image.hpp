@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "rendering/color.hpp"
+
+namespace groundgrid::rendering {
+
+/// Width and height in pixels.
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] std::size_t pixels() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  bool operator==(const ImageSize&) const = default;
+};
+
+/// Opaque pixels row by row from the top, each 0xFFRRGGBB.
+struct Image {
+  ImageSize size{};
+  std::vector<std::uint32_t> pixels{};
+
+  [[nodiscard]] Color at(int x, int y) const {
+    const std::uint32_t pixel =
+        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+               static_cast<std::size_t>(x)];
+    return {static_cast<std::uint8_t>(pixel >> 16U), static_cast<std::uint8_t>(pixel >> 8U),
+            static_cast<std::uint8_t>(pixel)};
+  }
+};
+
+/// A pixel of that colour.
+constexpr std::uint32_t pixel_of(Color color) {
+  return 0xFF000000U | std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U |
+         std::uint32_t{color.blue};
+}
+
+}  // namespace groundgrid::rendering
