@@ -8,7 +8,8 @@ packages_of() {
     build) echo g++ cmake ninja-build libeigen3-dev libtbb-dev libcli11-dev libspdlog-dev \
                 libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev \
                 libgdal-dev libembree-dev libyaml-cpp-dev pkg-config \
-                libcairo2-dev fonts-dejavu-core ;;
+                libcairo2-dev fonts-dejavu-core libegl-dev libopengl-dev libgl-dev \
+                libgl1-mesa-dri libgif-dev ;;
     bench) echo libbenchmark-dev ;;
     coverage) echo gcovr ;;
     fuzz) echo clang-14 libclang-rt-14-dev ;;

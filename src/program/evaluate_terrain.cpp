@@ -5,7 +5,6 @@
 #include <CLI/Validators.hpp>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,6 +16,7 @@
 #include "geotiff/height_raster.hpp"
 #include "io/error.hpp"
 #include "program/json_text.hpp"
+#include "program/length_units.hpp"
 #include "program/standard_output.hpp"
 #include "program/terrain_path.hpp"
 #include "program/usage_error.hpp"
@@ -28,9 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 using geotiff::HeightRaster;
 using geotiff::LengthUnit;
-
-const std::map<std::string, LengthUnit> kUnits{
-    {"m", LengthUnit::metre}, {"ft", LengthUnit::foot}, {"us-ft", LengthUnit::us_survey_foot}};
 
 struct TerrainEvaluationOptions {
   fs::path map;
@@ -109,7 +106,7 @@ class TerrainEvaluation {
 
   [[nodiscard]] std::optional<LengthUnit> unit() const {
     if (options_.reference_unit.empty()) return std::nullopt;
-    return kUnits.at(options_.reference_unit);
+    return length_units().at(options_.reference_unit);
   }
 
   std::vector<float> resample(const fs::path& file, std::optional<LengthUnit> unit) {

@@ -43,14 +43,11 @@ std::string lower_case(std::string text) {
 }  // namespace
 
 void PictureOptions::add_to(CLI::App& command, const std::string& ending,
-                            rendering::ImageSize usual) {
+                            const std::string& usual_size) {
   ending_ = ending;
-  usual_ = usual;
   command.add_option("--output", output_, fmt::format("The picture to write (*{})", ending))
       ->required();
-  command
-      .add_option("--size", size_,
-                  fmt::format("Width and height in pixels [{}x{}]", usual.width, usual.height))
+  command.add_option("--size", size_, fmt::format("Width and height in pixels [{}]", usual_size))
       ->type_name("WxH");
   title_option_ = command.add_option("--title", title_, "Another title; \"\" for none");
 }
@@ -59,14 +56,14 @@ void PictureOptions::check() const {
   if (lower_case(output_.extension().string()) != ending_)
     throw UsageError(fmt::format("--output: expected a file that ends in {}, got '{}'", ending_,
                                  output_.string()));
-  (void)size();
+  (void)size_or({});
   if (io::is_folder(output_)) io::fail_to_write(output_, "a folder of that name");
   // Made and removed again: what cannot be written shows before the work is done.
   const io::AtomicFile trial(output_);
 }
 
-rendering::ImageSize PictureOptions::size() const {
-  if (size_.empty()) return usual_;
+rendering::ImageSize PictureOptions::size_or(rendering::ImageSize usual) const {
+  if (size_.empty()) return usual;
   const std::size_t sign = size_.find('x');
   if (sign != std::string::npos) {
     const auto width = pixels_in(std::string_view(size_).substr(0, sign));

@@ -11,9 +11,9 @@
 
 namespace groundgrid::program {
 
-std::string ChosenScan::words() const {
-  if (sequence.plain()) return fmt::format("scan {}", scan().name);
-  return fmt::format("sequence {}, scan {}", sequence.name, scan().name);
+std::string words_of(const io::ScanSequence& sequence, const io::ScanFile& scan) {
+  if (sequence.plain()) return fmt::format("scan {}", scan.name);
+  return fmt::format("sequence {}, scan {}", sequence.name, scan.name);
 }
 
 io::ScanSequence only_sequence(const InputOptions& input) {

@@ -10,14 +10,16 @@
 
 namespace groundgrid::program {
 
+/// "sequence 00, scan 000040", or the scan alone outside of a dataset.
+std::string words_of(const io::ScanSequence& sequence, const io::ScanFile& scan);
+
 /// One scan and the sequence that it belongs to.
 struct ChosenScan {
   io::ScanSequence sequence{};
   std::size_t index = 0;
 
   [[nodiscard]] const io::ScanFile& scan() const { return sequence.scans[index]; }
-  /// "sequence 00, scan 000040", or the name alone outside of a dataset.
-  [[nodiscard]] std::string words() const;
+  [[nodiscard]] std::string words() const { return words_of(sequence, scan()); }
 };
 
 /// The only sequence of the input. Throws UsageError where there are several, and as

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -9,9 +10,14 @@
 
 namespace groundgrid::program {
 
-/// Distance of each pixel from the path of the vehicle, metres. The poses of the file (KITTI or TUM
-/// form) are in the frame of the raster; with a calibration they are the camera's, as those of a
-/// KITTI dataset. Throws io::Error where a file cannot be read or no pose lies on the raster.
+/// Where the vehicle was at each pose of a file (KITTI or TUM form); with a calibration the poses
+/// are the camera's, as those of a KITTI dataset. Throws io::Error where a file cannot be read.
+std::vector<Eigen::Vector3d> read_path(const std::filesystem::path& poses,
+                                       const std::optional<std::filesystem::path>& calibration);
+
+/// Distance of each pixel from the path of the vehicle, metres. The poses are as in
+/// read_path(), in the frame of the raster. Throws io::Error where a file cannot be read or no pose
+/// lies on the raster.
 std::vector<float> distance_from_path(const std::filesystem::path& poses,
                                       const std::optional<std::filesystem::path>& calibration,
                                       const geotiff::RasterFrame& frame,

@@ -27,8 +27,8 @@ using ContextPtr = std::unique_ptr<cairo_t, DestroyContext>;
   throw std::runtime_error(std::string("drawing failed: ") + cairo_status_to_string(status));
 }
 
-SurfacePtr make_surface(ImageSize size) {
-  SurfacePtr surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
+SurfacePtr make_surface(cairo_format_t format, ImageSize size) {
+  SurfacePtr surface(cairo_image_surface_create(format, size.width, size.height));
   if (const auto status = cairo_surface_status(surface.get()); status != CAIRO_STATUS_SUCCESS)
     fail(status);
   return surface;
@@ -39,7 +39,7 @@ std::size_t row_bytes(ImageSize size) {
 }
 
 SurfacePtr surface_of(const Image& image) {
-  SurfacePtr surface = make_surface(image.size);
+  SurfacePtr surface = make_surface(CAIRO_FORMAT_ARGB32, image.size);
   unsigned char* row = cairo_image_surface_get_data(surface.get());
   const int stride = cairo_image_surface_get_stride(surface.get());
   for (int y = 0; y < image.size.height; ++y, row += stride)
@@ -80,7 +80,7 @@ void stroke_path(cairo_t* context, const Stroke& stroke) {
 class Canvas::Cairo {
  public:
   explicit Cairo(ImageSize size)
-      : surface_(make_surface(size)), context_(cairo_create(surface_.get())) {
+      : surface_(make_surface(CAIRO_FORMAT_RGB24, size)), context_(cairo_create(surface_.get())) {
     cairo_set_line_join(get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(get(), CAIRO_LINE_CAP_BUTT);
     set_color(get(), kWhite);
@@ -195,7 +195,6 @@ void Canvas::paste(const Image& image, const Rectangle& area) {
   const bool grows = scale_x >= 1.0 && scale_y >= 1.0;
   cairo_pattern_set_filter(cairo_get_source(context),
                            grows ? CAIRO_FILTER_NEAREST : CAIRO_FILTER_GOOD);
-  cairo_pattern_set_extend(cairo_get_source(context), CAIRO_EXTEND_PAD);
   cairo_paint(context);
   cairo_restore(context);
 }

@@ -127,6 +127,7 @@ void Figure::draw_mark(const LegendEntry& entry, PixelPoint left) {
     case LegendMark::disc:
       return canvas_.disc({left.x + width / 2.0, left.y}, 0.38 * font_px_, entry.color);
     case LegendMark::line:
+      canvas_.line(stretch, {.color = kInk, .width_px = 0.4 * font_px_});
       return canvas_.line(stretch, {.color = entry.color, .width_px = 0.2 * font_px_});
     case LegendMark::box:
       return canvas_.fill(box, entry.color);

@@ -9,7 +9,7 @@
 
 namespace groundgrid::rendering {
 
-/// What stands before a text of the legend.
+/// What stands before a text of the legend. A line has dark edges.
 enum class LegendMark : std::uint8_t { disc, line, box, no_data };
 
 struct LegendEntry {

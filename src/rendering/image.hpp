@@ -19,7 +19,7 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-/// Opaque pixels row by row from the top, each 0xFFRRGGBB.
+/// Pixels row by row from the top, each 0xFFRRGGBB; kTransparent in an image that is to be pasted.
 struct Image {
   ImageSize size{};
   std::vector<std::uint32_t> pixels{};
@@ -38,5 +38,7 @@ constexpr std::uint32_t pixel_of(Color color) {
   return 0xFF000000U | std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U |
          std::uint32_t{color.blue};
 }
+
+inline constexpr std::uint32_t kTransparent = 0;
 
 }  // namespace groundgrid::rendering

@@ -11,14 +11,6 @@ namespace {
 // For quotients that should be whole numbers.
 constexpr double kRounding = 1e-9;
 
-double nice_above(double limit) {
-  const double below = nice_below(limit);
-  if (below >= limit * (1.0 - kRounding)) return below;
-  for (const double factor : {2.0, 2.5})
-    if (const double nice = nice_below(below * factor); nice > below) return nice;
-  return below;
-}
-
 }  // namespace
 
 double nice_below(double limit) {
@@ -26,6 +18,14 @@ double nice_below(double limit) {
   for (const double factor : {5.0, 2.0})
     if (factor * power <= limit * (1.0 + kRounding)) return factor * power;
   return power;
+}
+
+double nice_above(double limit) {
+  const double below = nice_below(limit);
+  if (below >= limit * (1.0 - kRounding)) return below;
+  for (const double factor : {2.0, 2.5})
+    if (const double nice = nice_below(below * factor); nice > below) return nice;
+  return below;
 }
 
 std::vector<double> ticks_between(double low, double high, int most) {
@@ -39,7 +39,7 @@ std::vector<double> ticks_between(double low, double high, int most) {
 
 std::string tick_text(double tick, double step) {
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + kRounding)));
-  return fmt::format("{:.{}f}", tick, decimals);
+  return fmt::format("{}{:.{}f}", tick < 0.0 ? "\u2212" : "", std::abs(tick), decimals);
 }
 
 }  // namespace groundgrid::rendering

@@ -17,6 +17,14 @@ TEST(NiceNumbers, AreOneTwoAndFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(nice_below(0.1), 0.1);
 }
 
+TEST(NiceNumbers, AboveALimitAreTheNextOnes) {
+  EXPECT_DOUBLE_EQ(nice_above(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(nice_above(1.1), 2.0);
+  EXPECT_DOUBLE_EQ(nice_above(2.1), 5.0);
+  EXPECT_DOUBLE_EQ(nice_above(0.51), 1.0);
+  EXPECT_DOUBLE_EQ(nice_above(0.05), 0.05);
+}
+
 TEST(NiceNumbers, TicksAreMultiplesWithinTheRangeAndNotTooMany) {
   EXPECT_EQ(ticks_between(-1.0, 1.0, 5), (std::vector<double>{-1.0, -0.5, 0.0, 0.5, 1.0}));
   EXPECT_EQ(ticks_between(-1.0, 1.0, 4), (std::vector<double>{-1.0, 0.0, 1.0}));
@@ -25,7 +33,7 @@ TEST(NiceNumbers, TicksAreMultiplesWithinTheRangeAndNotTooMany) {
 
 TEST(NiceNumbers, TicksHaveAsManyDecimalsAsTheirStep) {
   EXPECT_EQ(tick_text(0.5, 0.5), "0.5");
-  EXPECT_EQ(tick_text(-1.0, 0.5), "-1.0");
+  EXPECT_EQ(tick_text(-1.0, 0.5), "\u22121.0");
   EXPECT_EQ(tick_text(0.02, 0.02), "0.02");
   EXPECT_EQ(tick_text(120.0, 20.0), "120");
 }
