@@ -2,7 +2,7 @@
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
 
-# A dataset in SemanticKITTI/KITTI odometry layout, for `make demo`, `reproduce` and `bench`.
+# A dataset in SemanticKITTI/KITTI odometry layout, for `make reproduce`, `figures` and `bench`.
 DATA ?=
 # More for every configure step, e.g. CMAKE_FLAGS=-DGROUNDGRID_WERROR=ON
 CMAKE_FLAGS ?=
@@ -22,12 +22,10 @@ test: build-dependencies ## Build everything and run all tests
 	cmake --build --preset release --parallel $(JOBS)
 	ctest --preset release
 
-demo: ## Segment and evaluate the scans in DATA=path/to/dataset
-	@scripts/demo.sh --check "$(DATA)"
-	@scripts/install_dependencies.sh build
+demo: build-dependencies ## Simulate two drives, segment, score and draw them into out/: no data needed
 	cmake --preset release $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
-	@scripts/demo.sh "$(DATA)"
+	@scripts/demo.sh out
 
 reproduce: ## Repeat the paper's Table I on SemanticKITTI in DATA=path/to/dataset
 	@scripts/reproduce.sh --check "$(DATA)"

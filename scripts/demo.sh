@@ -69,15 +69,19 @@ draw() {
   for i in "${!scenes[@]}"; do
     local scene=${scenes[i]} sequence=$drives/sequences/0$i
     local terrain=$out/default/sequences/0$i/terrain.tif
-    picture "$scene-scan.png" scan "$drives" --sequence "0$i" --scan "$middle"
-    picture "$scene-errors.png" scan "$drives" --sequence "0$i" --scan "$middle" --errors
-    picture "$scene-view.png" scan "$drives" --sequence "0$i" --scan "$middle" --view perspective
-    picture "$scene-terrain.png" terrain "$terrain" --path "$sequence/poses.txt" \
-      --calibration "$sequence/calib.txt"
-    picture "$scene-terrain-view.png" terrain "$terrain" --view perspective
-    picture "$scene-terrain-errors.png" error "$terrain" "$sequence/truth/terrain.tif"
+    local scan=(scan "$drives" --sequence "0$i" --scan "$middle")
+    local path=(--path "$sequence/poses.txt" --calibration "$sequence/calib.txt")
+    local name="Simulated drive, $scene"
+    picture "$scene-scan.png" "${scan[@]}" --title "$name: ground and obstacles"
+    picture "$scene-errors.png" "${scan[@]}" --errors --title "$name: labels against the truth"
+    picture "$scene-view.png" "${scan[@]}" --view perspective --title "$name: a scan"
+    picture "$scene-terrain.png" terrain "$terrain" "${path[@]}" --title "$name: terrain"
+    picture "$scene-terrain-view.png" terrain "$terrain" "${path[@]}" --view perspective \
+      --title "$name: terrain"
+    picture "$scene-terrain-errors.png" error "$terrain" "$sequence/truth/terrain.tif" \
+      "${path[@]}" --title "$name: errors of the terrain"
   done
-  picture hill-drive.gif drive "$drives" --sequence 01 --every 5
+  picture hill-drive.gif drive "$drives" --sequence 01 --every 4 --title "Simulated drive, hill"
 }
 
 picture() {
