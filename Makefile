@@ -9,7 +9,7 @@ CMAKE_FLAGS ?=
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
 
-.PHONY: help test demo reproduce bench asan tsan coverage fuzz format check-format tidy clean
+.PHONY: help test demo reproduce figures bench asan tsan coverage fuzz format check-format tidy clean
 .PHONY: build-dependencies lint-dependencies bench-dependencies
 .PHONY: coverage-dependencies fuzz-dependencies
 
@@ -33,6 +33,12 @@ reproduce: ## Repeat the paper's Table I on SemanticKITTI in DATA=path/to/datase
 	cmake --preset release $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
 	@scripts/reproduce.sh "$(DATA)"
+
+figures: ## Draw the paper's three scenes from SemanticKITTI in DATA=path/to/dataset
+	@scripts/install_dependencies.sh build
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
+	@scripts/figures.sh "$(DATA)"
 
 bench: bench-dependencies ## Time every stage and the whole scan: medians of several repetitions
 	cmake --preset bench $(CMAKE_FLAGS)

@@ -111,7 +111,7 @@ class DriveFilm {
                 {.R_level_lidar = options.input.R_level_lidar()}),
         painter_(options.look, options.picture.size_or(kUsualSize)),
         gif_(options.picture.output(), options.picture.size_or(kUsualSize),
-             options.frames_per_second) {}
+             options.frames_per_second, painter_.palette()) {}
 
   void make() {
     ProgressBar progress(plan_.shown.size());

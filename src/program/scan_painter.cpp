@@ -47,6 +47,13 @@ ScanPainter::ScanPainter(const ScanLook& look, rendering::ImageSize size)
       renderer_(look.view().perspective() ? std::make_unique<rendering::PerspectiveRenderer>()
                                           : nullptr) {}
 
+rendering::Palette ScanPainter::palette() const {
+  const PointGroups groups = look_.errors() ? groups_by_error({}, {}) : groups_by_label({});
+  std::vector<rendering::Color> colors;
+  for (const rendering::PointStyle& style : groups.styles) colors.push_back(style.color);
+  return rendering::Palette(colors);
+}
+
 rendering::Image ScanPainter::paint(const ScanSlot& slot, std::span<const std::uint32_t> truth,
                                     double sensor_height_m, ScanWords words) const {
   std::vector<float> coordinates;

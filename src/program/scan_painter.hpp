@@ -11,6 +11,7 @@
 #include "program/scan_slot.hpp"
 #include "program/view_options.hpp"
 #include "rendering/image.hpp"
+#include "rendering/palette.hpp"
 #include "rendering/perspective.hpp"
 
 namespace groundgrid::program {
@@ -56,6 +57,9 @@ class ScanPainter {
   /// the caption then begins with the figures. The ground is so far below the LiDAR.
   [[nodiscard]] rendering::Image paint(const ScanSlot& slot, std::span<const std::uint32_t> truth,
                                        double sensor_height_m, ScanWords words) const;
+
+  /// The colours that its pictures are made of.
+  [[nodiscard]] rendering::Palette palette() const;
 
  private:
   const ScanLook& look_;

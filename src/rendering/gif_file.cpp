@@ -18,44 +18,21 @@
 namespace groundgrid::rendering {
 namespace {
 
-constexpr int kColors = 256;
-
-// giflib counts colours in 32 steps, the last of which it makes 248: white would be grey.
-GifByteType full_range(GifByteType value) {
-  return static_cast<GifByteType>(std::min(255, (value * 255 + 124) / 248));
-}
-
-/// An image in the colours of its own table.
-struct IndexedImage {
-  std::array<GifColorType, kColors> colors{};
-  std::vector<GifByteType> pixels{};
-};
-
-IndexedImage indexed(const Image& image) {
-  const std::size_t count = image.size.pixels();
-  std::vector<GifByteType> red(count);
-  std::vector<GifByteType> green(count);
-  std::vector<GifByteType> blue(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    red[i] = static_cast<GifByteType>(image.pixels[i] >> 16U);
-    green[i] = static_cast<GifByteType>(image.pixels[i] >> 8U);
-    blue[i] = static_cast<GifByteType>(image.pixels[i]);
-  }
-  IndexedImage result{.pixels = std::vector<GifByteType>(count)};
-  int colors = kColors;
-  if (GifQuantizeBuffer(static_cast<unsigned>(image.size.width),
-                        static_cast<unsigned>(image.size.height), &colors, red.data(), green.data(),
-                        blue.data(), result.pixels.data(), result.colors.data()) == GIF_ERROR)
-    throw std::bad_alloc();
-  for (GifColorType& color : result.colors)
-    color = {full_range(color.Red), full_range(color.Green), full_range(color.Blue)};
-  return result;
-}
-
 struct FreeColorMap {
   void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
 };
 using ColorMapPtr = std::unique_ptr<ColorMapObject, FreeColorMap>;
+
+// Tables of GIF have a power of two of colours.
+ColorMapPtr table_of(const Palette& palette) {
+  std::array<GifColorType, 256> colors{};
+  std::transform(palette.colors().begin(), palette.colors().end(), colors.begin(), [](Color color) {
+    return GifColorType{color.red, color.green, color.blue};
+  });
+  ColorMapPtr table(GifMakeMapObject(static_cast<int>(colors.size()), colors.data()));
+  if (table == nullptr) throw std::bad_alloc();
+  return table;
+}
 
 struct CloseGif {
   void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
@@ -66,15 +43,17 @@ using GifPtr = std::unique_ptr<GifFileType, CloseGif>;
 
 class GifFile::Writer {
  public:
-  Writer(const std::filesystem::path& path, ImageSize size, double frames_per_second)
+  Writer(const std::filesystem::path& path, ImageSize size, double frames_per_second,
+         Palette palette)
       : file_(path),
         size_(size),
+        palette_(std::move(palette)),
         delay_(std::max(2, static_cast<int>(std::lround(100.0 / frames_per_second)))) {
     int error = 0;
     gif_.reset(EGifOpen(this, &write, &error));
     if (gif_ == nullptr) throw std::bad_alloc();
     EGifSetGifVersion(gif_.get(), true);
-    check(EGifPutScreenDesc(gif_.get(), size.width, size.height, 8, 0, nullptr));
+    check(EGifPutScreenDesc(gif_.get(), size.width, size.height, 8, 0, table_of(palette_).get()));
     put_loop();
   }
   ~Writer() = default;
@@ -86,16 +65,12 @@ class GifFile::Writer {
   void add(const Image& image) {
     if (!(image.size == size_))
       throw std::invalid_argument("all frames of a GIF must be of the same size");
-    IndexedImage frame = indexed(image);
+    std::vector<GifByteType> pixels = palette_.indices(image);
     put_delay();
-    const ColorMapPtr colors(GifMakeMapObject(kColors, frame.colors.data()));
-    if (colors == nullptr) throw std::bad_alloc();
-    check(EGifPutImageDesc(gif_.get(), 0, 0, size_.width, size_.height, false, colors.get()));
-    for (int y = 0; y < size_.height; ++y)
-      check(EGifPutLine(
-          gif_.get(),
-          &frame.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width)],
-          size_.width));
+    check(EGifPutImageDesc(gif_.get(), 0, 0, size_.width, size_.height, false, nullptr));
+    const auto width = static_cast<std::size_t>(size_.width);
+    for (std::size_t first = 0; first < pixels.size(); first += width)
+      check(EGifPutLine(gif_.get(), &pixels[first], size_.width));
   }
 
   void commit() {
@@ -144,13 +119,15 @@ class GifFile::Writer {
 
   io::AtomicFile file_;
   ImageSize size_;
+  Palette palette_;
   int delay_;  ///< Of each frame, hundredths of a second.
   std::exception_ptr problem_{};
   GifPtr gif_{};  ///< Last, since closing it still writes.
 };
 
-GifFile::GifFile(const std::filesystem::path& path, ImageSize size, double frames_per_second)
-    : writer_(std::make_unique<Writer>(path, size, frames_per_second)) {}
+GifFile::GifFile(const std::filesystem::path& path, ImageSize size, double frames_per_second,
+                 Palette palette)
+    : writer_(std::make_unique<Writer>(path, size, frames_per_second, std::move(palette))) {}
 GifFile::~GifFile() = default;
 
 void GifFile::add(const Image& image) { writer_->add(image); }

@@ -4,15 +4,17 @@
 #include <memory>
 
 #include "rendering/image.hpp"
+#include "rendering/palette.hpp"
 
 namespace groundgrid::rendering {
 
 /// A GIF that plays again and again, written frame by frame, complete or not at all: without
-/// commit() nothing is left. Every frame has its own 256 colours.
+/// commit() nothing is left. All frames have the same palette.
 class GifFile {
  public:
   /// Throws io::Error where the file cannot be written.
-  GifFile(const std::filesystem::path& path, ImageSize size, double frames_per_second);
+  GifFile(const std::filesystem::path& path, ImageSize size, double frames_per_second,
+          Palette palette);
   ~GifFile();
   GifFile(const GifFile&) = delete;
   GifFile& operator=(const GifFile&) = delete;

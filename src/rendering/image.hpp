@@ -8,6 +8,18 @@
 
 namespace groundgrid::rendering {
 
+/// A pixel of that colour.
+constexpr std::uint32_t pixel_of(Color color) {
+  return 0xFF000000U | std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U |
+         std::uint32_t{color.blue};
+}
+
+/// The colour of a pixel.
+constexpr Color color_of(std::uint32_t pixel) {
+  return {static_cast<std::uint8_t>(pixel >> 16U), static_cast<std::uint8_t>(pixel >> 8U),
+          static_cast<std::uint8_t>(pixel)};
+}
+
 /// Width and height in pixels.
 struct ImageSize {
   int width = 0;
@@ -25,19 +37,10 @@ struct Image {
   std::vector<std::uint32_t> pixels{};
 
   [[nodiscard]] Color at(int x, int y) const {
-    const std::uint32_t pixel =
-        pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
-               static_cast<std::size_t>(x)];
-    return {static_cast<std::uint8_t>(pixel >> 16U), static_cast<std::uint8_t>(pixel >> 8U),
-            static_cast<std::uint8_t>(pixel)};
+    return color_of(pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                           static_cast<std::size_t>(x)]);
   }
 };
-
-/// A pixel of that colour.
-constexpr std::uint32_t pixel_of(Color color) {
-  return 0xFF000000U | std::uint32_t{color.red} << 16U | std::uint32_t{color.green} << 8U |
-         std::uint32_t{color.blue};
-}
 
 inline constexpr std::uint32_t kTransparent = 0;
 

@@ -69,7 +69,8 @@ vec3 shaded(ivec2 place) {
   for (int i = 0; i < 8; ++i) {
     float angle = 0.785398 * float(i);
     ivec2 other = place + ivec2(round(float(reach_px) * vec2(cos(angle), sin(angle))));
-    hidden += clamp(here - log_distance(clamp(other, ivec2(0), last)), 0.0, 0.15);
+    // A plane that is seen at a flat angle has no edges.
+    hidden += clamp(here - log_distance(clamp(other, ivec2(0), last)) - 0.01, 0.0, 0.15);
   }
   return color * max(0.25, exp(-strength * hidden));
 }

@@ -65,6 +65,20 @@ TEST_F(RenderMap, TerrainWithoutHeightsIsAnError) {
   expect_failure(render("terrain none.tif"), 1, "none.tif");
 }
 
+TEST_F(RenderMap, TerrainInPerspectiveIsTheSameFileTwice) {
+  const std::string terrain = "terrain " + shell_word(raster("t.tif")) +
+                              " --view perspective --size 640x480 --path " +
+                              shell_word(poses(110.0, 195.0));
+  const ProgramRun run = render(terrain);
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(picture().size, (rendering::ImageSize{640, 480}));
+  const std::string first = read_file(output());
+  ASSERT_EQ(render(terrain).exit_code, 0);
+  EXPECT_EQ(read_file(output()), first);
+  ASSERT_EQ(render(terrain + " --azimuth-deg 90").exit_code, 0);
+  EXPECT_NE(read_file(output()), first);
+}
+
 TEST_F(RenderMap, IsTheSameFileTwice) {
   const std::string terrain = "terrain " + shell_word(raster("t.tif"));
   ASSERT_EQ(render(terrain).exit_code, 0);
