@@ -15,6 +15,7 @@ constexpr int kMostVolumes = 40;
 constexpr double kReflectionChance = 0.018;
 constexpr double kMoversReach_m = 95.0;
 constexpr double kGrassShift_m = 2.0;
+constexpr double kHighestLeaves_m = 60.0;
 
 std::uint32_t full_label(const Surface& surface) {
   return std::uint32_t{surface.instance} << 16U | surface.label;
@@ -121,6 +122,18 @@ std::optional<World::Touch> World::touch_leaves(const Ray& ray, double most_m,
     from = to + kBeyondHit_m;
   }
   return std::nullopt;
+}
+
+bool World::is_under_leaves(const Eigen::Vector2d& place) const {
+  const Ray up{{place.x(), place.y(), terrain_->height(place) - 1.0}, Eigen::Vector3d::UnitZ()};
+  double from = 0.0;
+  for (int i = 0; i < kMostVolumes; ++i) {
+    const std::optional<Hit> hit = leaves_.cast(up, from, kHighestLeaves_m);
+    if (!hit) return false;
+    if (scene_->leaves.surface(hit->triangle).label == label::kVegetation) return true;
+    from = hit->distance_m + kBeyondHit_m;
+  }
+  return false;
 }
 
 // A car's body sends the ray on to the ground; the sensor takes what comes back the same way for

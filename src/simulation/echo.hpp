@@ -29,6 +29,9 @@ class World {
 
   [[nodiscard]] Echo echo(const Ray& ray, double least_m, double most_m, Random random) const;
 
+  /// Whether leaves, not fences and the like, are above a place.
+  [[nodiscard]] bool is_under_leaves(const Eigen::Vector2d& place) const;
+
   [[nodiscard]] const Terrain& terrain() const { return *terrain_; }
 
  private:

@@ -4,6 +4,15 @@
 
 namespace groundgrid::simulation {
 
+std::vector<double> every(double step_m, double from_m, double to_m) {
+  std::vector<double> stations;
+  while (from_m < to_m) {
+    stations.push_back(from_m);
+    from_m += step_m;
+  }
+  return stations;
+}
+
 SceneBuilder::SceneBuilder(std::uint64_t seed, std::vector<Bend> bends, double length_m)
     : seed_(seed) {
   scene_.path = std::make_shared<const Path>(std::move(bends), length_m, kMargin_m);

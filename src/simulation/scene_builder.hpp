@@ -10,6 +10,9 @@
 
 namespace groundgrid::simulation {
 
+/// From one number to less than another, evenly: the stations of what stands in a row.
+std::vector<double> every(double step_m, double from_m, double to_m);
+
 /// Puts objects beside the path of a scene.
 class SceneBuilder {
  public:

@@ -76,7 +76,7 @@ void simulate_drive(const DriveOptions& options, const std::vector<std::filesyst
       writer.add(scan, static_cast<double>(i) / rate_hz, errors.estimate(scan.T_world_sensor, i));
       listener(sensor, scan.labels.size());
     }
-    writer.finish(terrain);
+    writer.finish(world, runner);
   }
 }
 

@@ -46,12 +46,13 @@ Terrain::Terrain(const Path& path, double driven_m, const GroundFunction& ground
 }
 
 Eigen::Vector2d Terrain::corner(std::size_t tile) const {
-  return least_ + kTile_m * Eigen::Vector2d(static_cast<double>(tile % columns_),
-                                            static_cast<double>(tile / columns_));
+  const std::size_t row = tile / columns_;
+  return least_ +
+         kTile_m * Eigen::Vector2d(static_cast<double>(tile % columns_), static_cast<double>(row));
 }
 
 // Sides: 0 south, 1 north, 2 west, 3 east of the tile.
-void Terrain::fit_to_neighbour(Tile& tile, const Tile& neighbour, int side) const {
+void Terrain::fit_to_neighbour(Tile& tile, const Tile& neighbour, int side) {
   if (neighbour.cells >= tile.cells) return;
   const int ratio = tile.cells / neighbour.cells;
   const int edge = side % 2 == 0 ? 0 : tile.cells;

@@ -41,7 +41,7 @@ class Terrain {
     }
   };
   [[nodiscard]] Eigen::Vector2d corner(std::size_t tile) const;
-  void fit_to_neighbour(Tile& tile, const Tile& neighbour, int side) const;
+  static void fit_to_neighbour(Tile& tile, const Tile& neighbour, int side);
   void close_cracks();
   void add_to_mesh(const Tile& tile, const Eigen::Vector2d& corner);
 

@@ -23,7 +23,8 @@ Bend bend(Random& random, double least, double most, double length_m) {
 }
 
 void park_cars(SceneBuilder& town, const Street& street, double side) {
-  for (double s = town.path().first() + 8.0; s < town.path().last();) {
+  double s = town.path().first() + 8.0;
+  while (s < town.path().last()) {
     Random random = town.next_random();
     s += random.uniform(5.0, 6.4);
     const double d = side * (kLanesEdge_m + random.uniform(0.95, 1.15));
@@ -78,7 +79,7 @@ void place_low_furniture(SceneBuilder& town, double s, double side) {
 }
 
 void furnish_pavement(SceneBuilder& town, double side) {
-  for (double s = town.path().first(); s < town.path().last(); s += 5.0) {
+  for (const double s : every(5.0, town.path().first(), town.path().last())) {
     Random random = town.next_random();
     const double at = s + random.uniform(0.0, 3.5);
     if (is_near_junction(at, 7.0)) continue;
@@ -121,7 +122,7 @@ void line_side_street(SceneBuilder& town, const Junction& junction) {
 }
 
 void plant_median(SceneBuilder& town, const Junction& junction) {
-  for (double before = 10.0; before < 26.0; before += 2.0) {
+  for (const double before : every(2.0, 10.0, 26.0)) {
     Random random = town.next_random();
     town.place(make_bush(random, 0.4, random.uniform(0.3, 0.8)), {junction.s - before, 0.0});
   }
@@ -133,13 +134,15 @@ void add_traffic(SceneBuilder& town) {
   town.add_mover(make_car(random, label::kMovingCar, town.next_instance()), {24.0, -kLane_m}, 10.0);
   town.add_mover(make_cyclist(random, label::kMovingBicyclist, town.next_instance()),
                  {35.0, -kLanesEdge_m + 0.3}, 4.5);
-  for (double s = 45.0; s < 2.0 * town.path().last(); s += random.uniform(35.0, 90.0)) {
+  double s = 45.0;
+  while (s < 2.0 * town.path().last()) {
     const bool lorry = random.chance(0.12);
     const std::uint16_t instance = town.next_instance();
     const Random next = town.next_random();
     town.add_mover(lorry ? make_lorry(next, label::kMovingTruck, instance)
                          : make_car(next, label::kMovingCar, instance),
                    {s, kLane_m}, -9.0);
+    s += random.uniform(35.0, 90.0);
   }
 }
 
@@ -155,13 +158,12 @@ Scene make_urban(std::uint64_t seed, double length_m) {
   for (const double side : {-1.0, 1.0}) {
     park_cars(town, street, side);
     furnish_pavement(town, side);
-    for (double lot = std::floor(town.path().first() / kLot_m); lot * kLot_m < town.path().last();
-         ++lot)
-      build_lot(town, street, lot * kLot_m, side);
+    const double first_lot = std::floor(town.path().first() / kLot_m) * kLot_m;
+    for (const double lot : every(kLot_m, first_lot, town.path().last()))
+      build_lot(town, street, lot, side);
   }
-  for (double s = kFirstJunction_m - 2.0 * kBetweenJunctions_m; s < town.path().last();
-       s += kBetweenJunctions_m) {
-    if (s <= town.path().first()) continue;
+  const double first_junction = junction_near(town.path().first() + kBetweenJunctions_m / 2.0).s;
+  for (const double s : every(kBetweenJunctions_m, first_junction, town.path().last())) {
     line_side_street(town, junction_near(s));
     plant_median(town, junction_near(s));
   }

@@ -17,7 +17,7 @@ constexpr float kFlowerDensity = 6.0F;
 Plant make_fence(double length_m, double height_m) {
   Plant fence;
   const std::uint32_t post = fence.wood.add_surface({.label = label::kFence, .reflectivity = 0.3F});
-  for (double x = 0.0; x < length_m; x += 2.4)
+  for (const double x : every(2.4, 0.0, length_m))
     add_box(fence.wood, {x, -0.04, -0.3}, {x + 0.08, 0.04, height_m + 0.05}, post);
   const std::uint32_t panel = fence.leaves.add_surface(
       {.label = label::kFence, .reflectivity = 0.3F, .density = kFenceDensity});
@@ -106,7 +106,7 @@ void build_house(SceneBuilder& town, double s, double side, double depth_m) {
   const double door = s + 1.0 + random.uniform(0.35, 0.75) * length;
   town.place(make_stairs(steps, width), {door, front}, turn);
   // Shafts before the windows of the cellar, and a plinth.
-  for (double x = s + 2.0; x < s + length - 1.0; x += random.uniform(2.5, 5.0)) {
+  for (const double x : every(random.uniform(2.5, 5.0), s + 2.0, s + length - 1.0)) {
     const double high = random.uniform(0.1, 0.45);
     town.place(make_wall(1.1, 1.0, high, 0.3, label::kBuilding), {x, front});
   }

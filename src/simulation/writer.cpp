@@ -12,6 +12,7 @@
 #include "io/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "simulation/truth_rasters.hpp"
 
 namespace groundgrid::simulation {
 namespace {
@@ -88,24 +89,15 @@ void SequenceWriter::add(const Scan& scan, double time_s, const Eigen::Isometry3
   write_floats(folder_ / "truth" / "height" / (name + ".f32"), scan.heights);
 }
 
-void SequenceWriter::finish(const Terrain& terrain) const {
+void SequenceWriter::finish(const World& world, TileRunner& runner) const {
   io::write_text(folder_ / "poses.txt", poses_);
   io::write_text(folder_ / "times.txt", times_);
-  write_truth(terrain);
-}
-
-void SequenceWriter::write_truth(const Terrain& terrain) const {
   const geotiff::RasterGrid grid = grid_around(true_poses_);
-  std::vector<float> heights;
-  heights.reserve(static_cast<std::size_t>(grid.columns * grid.rows));
-  for (std::int64_t row = 0; row < grid.rows; ++row)
-    for (std::int64_t column = 0; column < grid.columns; ++column) {
-      const Eigen::Vector2d middle(grid.min_x_m + (static_cast<double>(column) + 0.5) * kCell_m,
-                                   grid.min_y_m + (static_cast<double>(row) + 0.5) * kCell_m);
-      heights.push_back(
-          static_cast<float>(terrain.height(middle + first_place_.head<2>()) - first_place_.z()));
-    }
-  geotiff::write_heights(folder_ / "truth" / "terrain.tif", grid, heights);
+  const TruthRasters rasters(world, grid, first_place_, runner);
+  const fs::path truth = folder_ / "truth";
+  geotiff::write_heights(truth / "terrain.tif", grid, rasters.heights());
+  geotiff::write_heights(truth / "vegetation.tif", grid, rasters.under_leaves());
+  geotiff::write_heights(truth / "kerbs.tif", grid, rasters.at_kerbs());
 }
 
 }  // namespace groundgrid::simulation

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "simulation/scanner.hpp"
-#include "simulation/terrain.hpp"
 
 namespace groundgrid::simulation {
 
@@ -15,7 +14,9 @@ namespace groundgrid::simulation {
 ///   velodyne/NNNNNN.bin, labels/NNNNNN.label, calib.txt, poses.txt, times.txt
 ///   truth/height/NNNNNN.f32   metres above the soil, of each point, 32-bit floats
 ///   truth/terrain.tif         height of the soil, 0.2 m cells
-/// Poses and terrain are in a frame with its origin where the sensor is at first, z up and x along
+///   truth/vegetation.tif      1 in cells under leaves, else 0; the same cells
+///   truth/kerbs.tif           1 in cells within 0.3 m of a kerb or step, else 0
+/// Poses and rasters are in a frame with its origin where the sensor is at first, z up and x along
 /// the vehicle: that of the first scan, unless the sensor is mounted askew.
 /// Every call throws io::Error where it cannot write.
 class SequenceWriter {
@@ -26,12 +27,10 @@ class SequenceWriter {
   /// Writes the next scan. Its pose goes to poses.txt as if it were known to be `T_world_sensor`.
   void add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor);
 
-  /// Writes what is known only at the end: poses, times and terrain.
-  void finish(const Terrain& terrain) const;
+  /// Writes what is known only at the end: poses, times and rasters.
+  void finish(const World& world, TileRunner& runner) const;
 
  private:
-  void write_truth(const Terrain& terrain) const;
-
   std::filesystem::path folder_;
   std::vector<Eigen::Isometry3d> true_poses_;
   std::string poses_;

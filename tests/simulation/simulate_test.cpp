@@ -99,13 +99,13 @@ class Town : public ::testing::Test {
 
 TEST_F(Town, IsASemanticKittiDatasetWithItsTruth) {
   const test::Names files = test::files_below(folder() / "sequences/00");
-  EXPECT_EQ(
-      files,
-      (test::Names{"calib.txt", "labels/000000.label", "labels/000001.label", "labels/000002.label",
-                   "labels/000003.label", "poses.txt", "times.txt", "truth/drive.json",
-                   "truth/height/000000.f32", "truth/height/000001.f32", "truth/height/000002.f32",
-                   "truth/height/000003.f32", "truth/terrain.tif", "velodyne/000000.bin",
-                   "velodyne/000001.bin", "velodyne/000002.bin", "velodyne/000003.bin"}));
+  EXPECT_EQ(files,
+            (test::Names{"calib.txt", "labels/000000.label", "labels/000001.label",
+                         "labels/000002.label", "labels/000003.label", "poses.txt", "times.txt",
+                         "truth/drive.json", "truth/height/000000.f32", "truth/height/000001.f32",
+                         "truth/height/000002.f32", "truth/height/000003.f32", "truth/kerbs.tif",
+                         "truth/terrain.tif", "truth/vegetation.tif", "velodyne/000000.bin",
+                         "velodyne/000001.bin", "velodyne/000002.bin", "velodyne/000003.bin"}));
 }
 
 TEST_F(Town, HasTheSharesOfRealScans) {
@@ -192,6 +192,21 @@ TEST_F(Town, TerrainRasterFitsTheGroundPoints) {
   }
   ASSERT_GT(compared, 50000U);
   EXPECT_LT(std::sqrt(squares / static_cast<double>(compared)), 0.02);
+}
+
+TEST_F(Town, MasksHaveTheCellsOfTheTerrain) {
+  const fs::path truth = folder() / "sequences/00/truth";
+  const test::Raster terrain = test::read_raster(truth / "terrain.tif");
+  for (const char* const name : {"kerbs.tif", "vegetation.tif"}) {
+    const test::Raster mask = test::read_raster(truth / name);
+    EXPECT_EQ(mask.transform, terrain.transform);
+    int marked = 0;
+    for (int row = 0; row < mask.rows; ++row)
+      for (int column = 0; column < mask.columns; ++column)
+        marked += mask.at(1, column, row) == 1.0F ? 1 : 0;
+    EXPECT_GT(marked, mask.rows * mask.columns / 200) << name;
+    EXPECT_LT(marked, mask.rows * mask.columns / 3) << name;
+  }
 }
 
 TEST_F(Town, IsEvaluatedAsItIs) {
