@@ -62,10 +62,12 @@ struct GROUNDGRID_EXPORT Config {
   double patch_change_distance_m = 40.0;
   /// From this count on a cell's own variance is used. (paper: v_np)
   int own_variance_min_points = 5;
+  /// Steepest ground whose rise within a cell does not count as variance, m/m; 0: all does.
+  double max_cell_slope = 0.7;
   /// Take the class from cells that stand above what the ground around supports.
   bool reject_raised = true;
-  /// Steepest rise of the ground from one cell to another, m/m.
-  double envelope_slope = 0.35;
+  /// Steepest rise of the ground from one cell to another over its trend, m/m.
+  double envelope_slope = 0.25;
   /// Greatest step, such as a kerb, above that rise. (m)
   double envelope_step_m = 0.1;
   /// Cells this far below the median around do not support the envelope. (m)

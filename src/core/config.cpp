@@ -39,6 +39,7 @@ Config Config::paper() {
   config.own_variance_min_points = 10;
   // What is not in the paper.
   config.outlier_min_depth_m = -1e6;
+  config.max_cell_slope = 0.0;
   config.reject_raised = false;
   config.threshold_by_column = false;
   return config;

@@ -80,12 +80,46 @@ GroundCells::Weighted GroundCells::sum_patch(int column, int row, int half, int 
   return sum;
 }
 
+/// From the minima of the cells beside this one; an axis without both of them adds nothing.
+float GroundCells::slope_squared(int column, int row, int size, float cell_size) const {
+  const auto at = [&](int x, int y) -> const Weighted& {
+    return weighted_[static_cast<std::size_t>(y * size + x)];
+  };
+  const auto slope = [cell_size](const Weighted& before, const Weighted& own,
+                                 const Weighted& after) {
+    if (!(before.points > 0.0F && after.points > 0.0F)) return 0.0F;
+    return slope_along(before.min_height / before.points, own.min_height / own.points,
+                       after.min_height / after.points, cell_size);
+  };
+  const Weighted& own = at(column, row);
+  float squared = 0.0F;
+  if (column > 0 && column < size - 1) {
+    const float along_x = slope(at(column - 1, row), own, at(column + 1, row));
+    squared += along_x * along_x;
+  }
+  if (row > 0 && row < size - 1) {
+    const float along_y = slope(at(column, row - 1), own, at(column, row + 1));
+    squared += along_y * along_y;
+  }
+  return squared;
+}
+
 void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
                            const SensorPositions& sensors, const Config& config,
                            TileRunner& runner) {
   summarise(grid, runner);
   const int size = map.size();
   const auto cell_size = static_cast<float>(map.cell_size());
+  const auto steepest = static_cast<float>(config.max_cell_slope * config.max_cell_slope);
+  // A slope makes heights differ within a cell: points spread evenly over a width w that rises by
+  // s · w have a variance of (s · w)² / 12.
+  const float variance_per_slope = cell_size * cell_size / 12.0F;
+  const auto is_smooth = [&](int column, int row, float variance, float threshold) {
+    if (variance < threshold) return true;
+    if (!(variance < threshold + steepest * variance_per_slope)) return false;
+    const float slope = std::min(slope_squared(column, row, size, cell_size), steepest);
+    return variance < threshold + slope * variance_per_slope;
+  };
   const auto classify_cell = [&](std::size_t i) {
     const std::uint32_t cell = grid.occupied[i];
     const int row = static_cast<int>(cell) / size;
@@ -105,8 +139,9 @@ void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
     answer.variance = own_variance_counts ? own.own_variance : patch.variance / patch.points;
 
     answer.observed = has_enough_points(static_cast<double>(own.points), distance, config);
-    answer.ground = answer.observed &&
-                    static_cast<double>(answer.variance) < variance_threshold(distance, config);
+    answer.ground =
+        answer.observed && is_smooth(column, row, answer.variance,
+                                     static_cast<float>(variance_threshold(distance, config)));
     is_ground_[cell] = answer.ground ? 1 : 0;
   };
   const auto classify_cells = [&](std::size_t begin, std::size_t end) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,16 @@ double variance_threshold(double distance_m, const Config& config);
 
 /// Eq. 2: the number of points that one beam leaves in a cell at this distance on open ground.
 double expected_points(double distance_m, const Config& config);
+
+/// The slope at a cell from its own height and those of the cells before and after it along an
+/// axis: the flatter of both sides, and none where the ground turns there. An obstacle beside the
+/// cell makes one side steep, never both.
+inline float slope_along(float before, float own, float after, float cell_size) {
+  const float rise_to = own - before;
+  const float rise_from = after - own;
+  if (rise_to * rise_from <= 0.0F) return 0.0F;
+  return (std::abs(rise_to) < std::abs(rise_from) ? rise_to : rise_from) / cell_size;
+}
 
 /// What the sums over a cell's 3×3 or 5×5 patch say; for every occupied cell.
 struct GroundCell {
@@ -58,6 +69,7 @@ class GroundCells {
     float own_variance = 0.0F;
   };
   void summarise(const ScanGrid& grid, TileRunner& runner);
+  [[nodiscard]] float slope_squared(int column, int row, int size, float cell_size) const;
   [[nodiscard]] Weighted sum_patch(int column, int row, int half, int size) const;
 
   std::vector<Weighted> weighted_;

@@ -100,6 +100,31 @@ void GroundEnvelope::find_references() {
           median_around(column, row);
 }
 
+/// The references of the four blocks around a cell, bilinear between the blocks' middles; those
+/// that have none are left out.
+float GroundEnvelope::trend(std::uint32_t cell) const {
+  const auto block_of = [](int i) {
+    return (static_cast<float>(i) + 0.5F) / static_cast<float>(kBlockCells) - 0.5F;
+  };
+  const float x = block_of(static_cast<int>(cell) % size_);
+  const float y = block_of(static_cast<int>(cell) / size_);
+  const int left = static_cast<int>(std::floor(x));
+  const int bottom = static_cast<int>(std::floor(y));
+  float sum = 0.0F;
+  float weights = 0.0F;
+  for (int row = std::max(bottom, 0); row <= std::min(bottom + 1, blocks_ - 1); ++row) {
+    for (int column = std::max(left, 0); column <= std::min(left + 1, blocks_ - 1); ++column) {
+      const float reference = block_reference_[static_cast<std::size_t>(row * blocks_ + column)];
+      const float weight = (1.0F - std::abs(x - static_cast<float>(column))) *
+                           (1.0F - std::abs(y - static_cast<float>(row)));
+      if (std::isnan(reference)) continue;
+      sum += weight * reference;
+      weights += weight;
+    }
+  }
+  return weights > 0.0F ? sum / weights : 0.0F;
+}
+
 void GroundEnvelope::spread(float rise) {
   // The two sweeps of a chamfer distance transform (Borgefors) carry every height to all cells.
   const auto row_of = [this](int row) {
@@ -124,10 +149,10 @@ void GroundEnvelope::reject_raised(const ScanGrid& grid, const ElevationMap& map
   find_references();
   std::fill(envelope_.begin(), envelope_.end(), std::numeric_limits<float>::infinity());
   const auto pit = static_cast<float>(config.envelope_pit_m);
-  for (const Candidate& candidate : candidates_) {
-    // Written so that a block without a reference supports the envelope.
-    if (!(candidate.height < block_reference_[candidate.block] - pit))
-      envelope_[candidate.cell] = candidate.height;
+  for (Candidate& candidate : candidates_) {
+    const bool is_pit = candidate.height < block_reference_[candidate.block] - pit;
+    candidate.height -= trend(candidate.cell);
+    if (!is_pit) envelope_[candidate.cell] = candidate.height;
   }
   spread(static_cast<float>(config.envelope_slope * map.cell_size()));
   const auto step = static_cast<float>(config.envelope_step_m);

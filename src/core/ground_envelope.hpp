@@ -12,8 +12,8 @@ namespace groundgrid {
 /// are as flat as ground, and only their surroundings tell. Not in the paper; see docs/method.md.
 ///
 /// The envelope is the highest surface that nowhere rises steeper than a limit and nowhere runs
-/// above a ground cell (both measured from the plane the vehicle stands on, so that a steep road
-/// is not a rise). A ground cell that stands a step above it is none.
+/// above a ground cell (both measured from the trend of the ground some metres around, so that a
+/// steep road or hillside is not a rise). A ground cell that stands a step above it is none.
 class GroundEnvelope {
  public:
   explicit GroundEnvelope(const ElevationMap& map);
@@ -27,7 +27,7 @@ class GroundEnvelope {
     std::uint32_t index = 0;  ///< Into ScanGrid::occupied.
     std::uint32_t cell = 0;
     std::uint32_t block = 0;
-    float height = 0.0F;  ///< Above the vehicle's plane, metres.
+    float height = 0.0F;  ///< Above the vehicle's plane, then above the trend, metres.
   };
 
   void list_candidates(const ScanGrid& grid, const ElevationMap& map, const Plane& vehicle_plane,
@@ -35,6 +35,7 @@ class GroundEnvelope {
   void find_block_medians();
   [[nodiscard]] float median_around(int block_column, int block_row) const;
   void find_references();
+  [[nodiscard]] float trend(std::uint32_t cell) const;
   void spread(float rise);
 
   // Blocks of cells, some metres wide: what most ground cells of a block and of its neighbours say

@@ -101,6 +101,34 @@ TEST_F(GroundCellsTest, FewPointsTakeTheVarianceOfThePatch) {
   EXPECT_NEAR(classified(5, 5).variance, 2.5e-4F, 1e-9F);
 }
 
+TEST(SlopeAlong, IsTheFlatterSideAndNoneWhereTheGroundTurns) {
+  EXPECT_FLOAT_EQ(slope_along(1.0F, 1.1F, 1.3F, 0.5F), 0.2F);
+  EXPECT_FLOAT_EQ(slope_along(1.3F, 1.1F, 1.0F, 0.5F), -0.2F);
+  EXPECT_FLOAT_EQ(slope_along(1.0F, 1.1F, 9.0F, 0.5F), 0.2F);
+  EXPECT_EQ(slope_along(1.0F, 1.1F, 1.0F, 0.5F), 0.0F);
+  EXPECT_EQ(slope_along(1.0F, 1.0F, 9.0F, 0.5F), 0.0F);
+}
+
+TEST_F(GroundCellsTest, ASlopeIsNoRoughness) {
+  // Cells of 1 m that rise by 0.3 m each: the rise within a cell has a variance of 0.3² / 12 =
+  // 0.0075 m². Four points at the quarters of a cell have one of 0.3² · 0.078125 = 0.00703 m².
+  config_.min_variance_threshold = 1e-4;
+  config_.variance_distance_factor = 0.0;
+  config_.own_variance_min_points = 1;
+  for (int column = 4; column <= 6; ++column)
+    for (const double part : {0.125, 0.375, 0.625, 0.875})
+      points_.add(column, 5, {0.3 * (column + part)});
+  config_.max_cell_slope = 0.0;
+  EXPECT_FALSE(classified(5, 5).ground);
+  config_.max_cell_slope = 0.29;  // 0.29² / 12 = 0.00701, and the threshold: 0.00711
+  EXPECT_TRUE(classified(5, 5).ground);
+  config_.max_cell_slope = 0.28;  // 0.00653 + 0.0001
+  EXPECT_FALSE(classified(5, 5).ground);
+  config_.max_cell_slope = 0.7;
+  EXPECT_TRUE(classified(5, 5).ground);
+  EXPECT_FALSE(classified(4, 5).ground);  // nothing is known on its other side
+}
+
 TEST_F(GroundCellsTest, EnoughPointsTakeTheirOwnVariance) {
   points_.add(5, 5, {0.0, 0.02, 0.0, 0.02, 0.0, 0.02, 0.0, 0.02, 0.0});
   points_.add(6, 5, {0.0, 0.04});

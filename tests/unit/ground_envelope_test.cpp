@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <functional>
 
 #include "support/stages.hpp"
@@ -72,11 +74,26 @@ TEST_F(GroundEnvelopeTest, AKerbIsAStepOfGround) {
   EXPECT_EQ(ground_cells(), map_.cells());
 }
 
-TEST_F(GroundEnvelopeTest, ASlopeBelowTheLimitIsGroundAndASteeperOneIsNot) {
-  reject([](int column, int) { return 0.2 * column; });
+TEST_F(GroundEnvelopeTest, AHillsideIsGroundHoweverSteep) {
+  reject([](int column, int) { return 0.6 * column; });
+  // Near the edge nothing says how the trend goes on.
+  for (int row = 0; row < map_.size(); ++row)
+    for (int column = 6; column < map_.size() - 6; ++column)
+      EXPECT_TRUE(is_ground(column, row)) << column << ' ' << row;
+}
+
+TEST_F(GroundEnvelopeTest, AShortSlopeBelowTheLimitIsGroundAndASteeperOneIsNot) {
+  // A mound of 5 × 5 cells, too small to be the trend.
+  const auto mound = [](double slope) {
+    return [slope](int column, int row) {
+      const int from_middle = std::max(std::abs(column - 20), std::abs(row - 20));
+      return slope * std::max(0, 3 - from_middle);
+    };
+  };
+  reject(mound(0.2));
   EXPECT_EQ(ground_cells(), map_.cells());
-  reject([](int column, int) { return column < 20 ? 0.0 : 0.6 * (column - 20); });
-  EXPECT_FALSE(is_ground(25, 20));
+  reject(mound(0.6));
+  EXPECT_FALSE(is_ground(20, 20));
   EXPECT_TRUE(is_ground(10, 20));
 }
 
