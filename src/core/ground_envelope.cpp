@@ -33,7 +33,8 @@ void spread_across(const float* from, float* row, int size, float rise) {
 
 GroundEnvelope::GroundEnvelope(const ElevationMap& map)
     : size_(map.size()),
-      blocks_((map.size() + kBlockCells - 1) / kBlockCells),
+      blocks_(2 * ((map.size() / 2 + kBlockCells / 2) / kBlockCells) + 1),
+      before_first_((blocks_ * kBlockCells - map.size()) / 2),
       envelope_(map.cells()) {
   const auto blocks = static_cast<std::size_t>(blocks_) * static_cast<std::size_t>(blocks_);
   candidates_.reserve(map.cells());
@@ -58,7 +59,7 @@ void GroundEnvelope::list_candidates(const ScanGrid& grid, const ElevationMap& m
     const int column = static_cast<int>(cell) % size_;
     const float plane = rise_x * (static_cast<float>(column) - middle) +
                         rise_y * (static_cast<float>(row) - middle);
-    const int block = row / kBlockCells * blocks_ + column / kBlockCells;
+    const int block = block_of(row) * blocks_ + block_of(column);
     candidates_.push_back({static_cast<std::uint32_t>(i), cell, static_cast<std::uint32_t>(block),
                            seen.patch_elevation - plane});
   }
@@ -103,11 +104,12 @@ void GroundEnvelope::find_references() {
 /// The references of the four blocks around a cell, bilinear between the blocks' middles; those
 /// that have none are left out.
 float GroundEnvelope::trend(std::uint32_t cell) const {
-  const auto block_of = [](int i) {
-    return (static_cast<float>(i) + 0.5F) / static_cast<float>(kBlockCells) - 0.5F;
+  const auto in_blocks = [this](int cells) {
+    return (static_cast<float>(cells + before_first_) + 0.5F) / static_cast<float>(kBlockCells) -
+           0.5F;
   };
-  const float x = block_of(static_cast<int>(cell) % size_);
-  const float y = block_of(static_cast<int>(cell) / size_);
+  const float x = in_blocks(static_cast<int>(cell) % size_);
+  const float y = in_blocks(static_cast<int>(cell) / size_);
   const int left = static_cast<int>(std::floor(x));
   const int bottom = static_cast<int>(std::floor(y));
   float sum = 0.0F;

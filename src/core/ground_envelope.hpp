@@ -40,11 +40,17 @@ class GroundEnvelope {
 
   // Blocks of cells, some metres wide: what most ground cells of a block and of its neighbours say
   // tells true ground from reflections below it, which must not pull the envelope down.
-  static constexpr int kBlockCells = 8;
+  // Odd, and one of them around the vehicle's cell, so that no direction is special.
+  static constexpr int kBlockCells = 9;
   static constexpr std::size_t kMinBlockCandidates = 3;
 
+  [[nodiscard]] int block_of(int column_or_row) const {
+    return (column_or_row + before_first_) / kBlockCells;
+  }
+
   int size_;
-  int blocks_;
+  int blocks_;        ///< A side.
+  int before_first_;  ///< Cells by which the first block begins before the map.
   std::vector<float> envelope_;
   std::vector<Candidate> candidates_;
   std::vector<std::uint32_t> block_begin_;
