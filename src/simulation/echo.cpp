@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kTerrainMesh = 0;
 constexpr double kBeyondHit_m = 1e-3;
 constexpr int kMostVolumes = 40;
-constexpr double kReflectionChance = 0.018;
+constexpr double kReflectionChance = 0.011;
 constexpr double kMoversReach_m = 95.0;
 constexpr double kGrassShift_m = 2.0;
 constexpr double kHighestLeaves_m = 60.0;

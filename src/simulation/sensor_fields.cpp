@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::string_view kNameLetters = "abcdefghijklmnopqrstuvwxyz0123456789_";
 
-/// A line without blanks around it and without what is no ASCII, which only comments need: toml11
-/// 3.7 reads beyond its buffer where a string is not UTF-8.
+/// A line without comment and blanks around it, and without what is no ASCII: toml11 3.7 reads
+/// beyond its buffer where a string is not UTF-8. No word that a field takes has a # in it.
 std::string tidied(std::string_view line) {
+  line = line.substr(0, line.find('#'));
   const auto begin = line.find_first_not_of(" \t");
   if (begin == std::string_view::npos) return {};
   std::string text(line.substr(begin, line.find_last_not_of(" \t") - begin + 1));
@@ -60,7 +61,7 @@ SensorFields::SensorFields(std::string_view text, std::filesystem::path file)
   for (const std::string_view line : io::split_lines(text)) {
     ++number;
     const std::string tidy = tidied(line);
-    if (tidy.empty() || tidy.front() == '#') continue;
+    if (tidy.empty()) continue;
     if (entry.empty()) first = number;
     entry += tidy + '\n';
     if (is_open(entry)) continue;

@@ -134,15 +134,15 @@ void add_traffic(SceneBuilder& town) {
   town.add_mover(make_car(random, label::kMovingCar, town.next_instance()), {24.0, -kLane_m}, 10.0);
   town.add_mover(make_cyclist(random, label::kMovingBicyclist, town.next_instance()),
                  {35.0, -kLanesEdge_m + 0.3}, 4.5);
-  double s = 45.0;
+  double s = 70.0;
   while (s < 2.0 * town.path().last()) {
-    const bool lorry = random.chance(0.12);
+    const bool lorry = random.chance(0.08);
     const std::uint16_t instance = town.next_instance();
     const Random next = town.next_random();
     town.add_mover(lorry ? make_lorry(next, label::kMovingTruck, instance)
                          : make_car(next, label::kMovingCar, instance),
                    {s, kLane_m}, -9.0);
-    s += random.uniform(35.0, 90.0);
+    s += random.uniform(60.0, 180.0);
   }
 }
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kCrown = 0.02;
 constexpr double kPavementFall = 0.02;
+constexpr double kBankSlope = 0.3;      // From its foot to its head.
 constexpr double kBetweenLots_m = 0.8;  // Where one garden's height becomes that of the next.
 
 std::uint64_t number(double value) {
@@ -37,7 +38,7 @@ double profile(const Garden& garden, double into_m, double beside_drive_m) {
   const double ramp = garden.rise_m * std::clamp(into_m / 5.0, 0.0, 1.0);
   switch (garden.kind) {
     case Garden::Kind::bank:
-      return garden.rise_m * smooth_step(0.4, 3.6, into_m);
+      return garden.rise_m * smooth_step(0.4, 0.4 + garden.rise_m / kBankSlope, into_m);
     case Garden::Kind::terrace:
       return std::lerp(ramp, garden.rise_m * smooth_step(0.0, 0.1, into_m),
                        smooth_step(0.0, 0.1, beside_drive_m));

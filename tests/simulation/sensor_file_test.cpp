@@ -76,7 +76,7 @@ TEST(SensorFile, GivesEveryField) {
 }
 
 TEST(SensorFile, CanBeginWithASensorThatThereIs) {
-  const Sensor sensor = parse_sensor("like = \"vlp-16\"\r\nheight_m = 0.6\r\n", "low.toml");
+  const Sensor sensor = parse_sensor("like = \"vlp-16\"  # [\r\nheight_m = 0.6\r\n", "low.toml");
   EXPECT_EQ(sensor.name, "low");
   EXPECT_EQ(sensor.beams.size(), 16U);
   EXPECT_EQ(sensor.columns, 1800);

@@ -82,7 +82,7 @@ class Town : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new TemporaryFolder;
-    ASSERT_EQ(simulate(folder_->path(), "urban --scans 4 --seed 3").exit_code, 0);
+    ASSERT_EQ(simulate(folder_->path(), "urban --scans 4 --seed 3 --threads 2").exit_code, 0);
     points_ = new Points(read_drive(folder_->path()));
   }
   static void TearDownTestSuite() {
