@@ -65,7 +65,7 @@ LabelledScan run_method(const RenderScanOptions& options, const ChosenScan& chos
 
 LabelledScan label_scan(const RenderScanOptions& options, const ChosenScan& chosen) {
   if (options.labels.empty()) return run_method(options, chosen);
-  LabelledScan result{.source = fmt::format("labels of {}", options.labels.string())};
+  LabelledScan result{.source = fmt::format("labels of {}", options.labels.filename().string())};
   read_into_slot(chosen.scan(), options.input.R_level_lidar(), result.slot);
   io::read_labels(options.labels, chosen.scan().path, result.slot.size(), result.slot.labels);
   result.sensor_height_m = estimate_sensor_height(result.slot.points, Config{});

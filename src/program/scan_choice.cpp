@@ -7,13 +7,17 @@
 #include <vector>
 
 #include "io/error.hpp"
+#include "io/path_checks.hpp"
 #include "program/usage_error.hpp"
 
 namespace groundgrid::program {
 
 std::string words_of(const io::ScanSequence& sequence, const io::ScanFile& scan) {
   if (sequence.plain()) return fmt::format("scan {}", scan.name);
-  return fmt::format("sequence {}, scan {}", sequence.name, scan.name);
+  // What `simulate` leaves. No picture of a simulated drive may pass for one of a real one.
+  const bool simulated = io::is_there(sequence.folder / "truth" / "drive.json");
+  return fmt::format("{}sequence {}, scan {}", simulated ? "simulated " : "", sequence.name,
+                     scan.name);
 }
 
 io::ScanSequence only_sequence(const InputOptions& input) {

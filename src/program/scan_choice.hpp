@@ -10,7 +10,8 @@
 
 namespace groundgrid::program {
 
-/// "sequence 00, scan 000040", or the scan alone outside of a dataset.
+/// "sequence 00, scan 000040", after "simulated" where it is, or the scan alone outside of a
+/// dataset.
 std::string words_of(const io::ScanSequence& sequence, const io::ScanFile& scan);
 
 /// One scan and the sequence that it belongs to.
