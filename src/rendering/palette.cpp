@@ -14,10 +14,10 @@ constexpr int kGreys = 40;
 constexpr int kStepsToWhite = 12;
 constexpr int kStepsToBlack = 6;
 
-int squared_distance(Color first, Color second) {
-  const int red = first.red - second.red;
-  const int green = first.green - second.green;
-  const int blue = first.blue - second.blue;
+int squared_distance(Color one, Color other) {
+  const int red = one.red - other.red;
+  const int green = one.green - other.green;
+  const int blue = one.blue - other.blue;
   return red * red + green * green + blue * blue;
 }
 
@@ -38,8 +38,8 @@ Palette::Palette(std::span<const Color> main_colors) {
 
 std::uint8_t Palette::nearest(Color color) const {
   const auto found = std::min_element(
-      colors_.begin(), colors_.end(), [color](const Color& first, const Color& second) {
-        return squared_distance(first, color) < squared_distance(second, color);
+      colors_.begin(), colors_.end(), [color](const Color& entry, const Color& best) {
+        return squared_distance(entry, color) < squared_distance(best, color);
       });
   return static_cast<std::uint8_t>(found - colors_.begin());
 }

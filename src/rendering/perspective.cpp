@@ -92,8 +92,10 @@ class VertexBuffer {
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
                  vertices.data(), GL_STATIC_DRAW);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Vertex), nullptr);
-    glVertexAttribPointer(1, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex),
-                          reinterpret_cast<const void*>(offsetof(Vertex, color)));
+    // OpenGL takes an offset for a pointer.
+    const void* const color =
+        reinterpret_cast<const void*>(offsetof(Vertex, color));  // NOLINT(*-no-int-to-ptr)
+    glVertexAttribPointer(1, 3, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), color);
     glEnableVertexAttribArray(0);
     glEnableVertexAttribArray(1);
   }

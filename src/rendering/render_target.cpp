@@ -1,6 +1,7 @@
 #include "rendering/render_target.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 
@@ -60,7 +61,8 @@ Image RenderTarget::read() const {
   glReadPixels(0, 0, size_.width, size_.height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
                image.pixels.data());
   // OpenGL counts rows from below.
-  const auto row = [&image, this](int y) { return image.pixels.begin() + y * size_.width; };
+  const std::ptrdiff_t width = size_.width;
+  const auto row = [&image, width](int y) { return image.pixels.begin() + y * width; };
   for (int y = 0; y < size_.height / 2; ++y)
     std::swap_ranges(row(y), row(y + 1), row(size_.height - 1 - y));
   for (std::uint32_t& pixel : image.pixels) pixel |= 0xFF000000U;
