@@ -1,5 +1,5 @@
-// A motorway with guard rails, slopes of 30 to 40 % down to ditches or up from them, lorries, and
-// bridges over it.
+// A motorway with guard rails, through higher and lower land: slopes of 30 to 40 % down to the
+// land, or ditches as steep and slopes up from them. Lorries, and bridges over it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,11 +16,18 @@ constexpr double kMedian_m = 1.6;    // Half its width.
 constexpr double kShoulder_m = 9.3;  // Where the hard shoulder begins.
 constexpr double kAsphalt_m = 12.0;
 constexpr double kVerge_m = 14.0;  // Where the slope begins.
-constexpr double kSlope_m = 6.0;   // Its width.
+constexpr double kFall = 0.02;     // Of the road to its sides.
+constexpr double kDamGradient = 0.5;
 constexpr double kRightLane_m = 7.4;
 constexpr double kLeftLane_m = 3.6;
 constexpr double kBetweenBridges_m = 260.0;
 constexpr double kFirstBridge_m = 90.0;
+constexpr double kHalfBridge_m = 4.5;  // Half the width of the road on it.
+constexpr double kDeck_m = 6.0;        // Its height.
+
+double nearest_bridge(double s) {
+  return kFirstBridge_m + kBetweenBridges_m * std::round((s - kFirstBridge_m) / kBetweenBridges_m);
+}
 
 class Motorway {
  public:
@@ -30,8 +37,10 @@ class Motorway {
   Ground operator()(const Eigen::Vector2d& place) const {
     const Station at = path_->project(place);
     const double beside = std::abs(at.d);
-    const double level = relief_.height(path_->point({at.s, 0.0}));
-    return cover(at, beside, level + profile(at, beside) + roughness(place, beside));
+    const double road = level(at.s) - kFall * std::clamp(beside - kMedian_m, 0.0, kVerge_m);
+    const double beyond = std::max(0.0, beside - kVerge_m);
+    const double slope = beside_road(beyond, land(at, place) - road, earthwork(at));
+    return cover(at, beside, road + slope + roughness(place, beside));
   }
 
  private:
@@ -39,24 +48,23 @@ class Motorway {
     return {{4.0, {2.0 * kPi / 700.0, 0.0}, Random(hash({seed, 100})).uniform(0.0, 2.0 * kPi)}};
   }
 
+  [[nodiscard]] double level(double s) const { return relief_.height(path_->point({s, 0.0})); }
+
   [[nodiscard]] double roughness(const Eigen::Vector2d& place, double beside) const {
-    return 0.04 * bumps(place, 1.5, seed_) * smooth_step(kAsphalt_m, kVerge_m, beside) +
-           0.5 * bumps(place, 25.0, seed_ + 1) * smooth_step(kVerge_m + kSlope_m, 40.0, beside);
+    return 0.03 * bumps(place, 1.5, seed_) * smooth_step(kAsphalt_m, kVerge_m, beside);
   }
 
-  /// The slope of each side: 0.3 to 0.4 down to a ditch, or up from one.
-  [[nodiscard]] double slope(Station at) const {
-    const double turn = 2.0 * kPi * at.s / 240.0 + (at.d < 0.0 ? 0.0 : 2.0);
-    return 0.4 * std::tanh(3.0 * std::sin(turn + static_cast<double>(seed_ % 7U)));
+  /// Fields, and the dams of the roads that cross.
+  [[nodiscard]] double land(Station at, const Eigen::Vector2d& place) const {
+    const double fields = relief_.height(place) - 1.6 + 2.5 * bumps(place, 90.0, seed_ + 1);
+    const double bridge_s = nearest_bridge(at.s);
+    const double beyond_dam = std::max(0.0, std::abs(at.s - bridge_s) - kHalfBridge_m);
+    return std::max(fields, level(bridge_s) + kDeck_m - kDamGradient * beyond_dam);
   }
 
-  [[nodiscard]] double profile(Station at, double beside) const {
-    const double fall = beside < kMedian_m ? 0.0 : -0.02 * (std::min(beside, kVerge_m) - kMedian_m);
-    const double down = std::clamp(beside - kVerge_m, 0.0, kSlope_m);
-    const double ditch = (beside - kVerge_m - 1.0) / 1.0;
-    const double rise = slope(at);
-    const double hollow = rise > 0.0 ? -0.45 * std::max(0.0, 1.0 - ditch * ditch) : 0.0;
-    return fall + rise * down + hollow;
+  static Earthwork earthwork(Station at) {
+    const double turn = 2.0 * kPi * at.s / 150.0 + (at.d < 0.0 ? 0.0 : 2.0);
+    return {.gradient = 0.35 + 0.05 * std::sin(turn), .ditch_m = 0.4, .bottom_m = 0.5};
   }
 
   static bool is_marking(Station at, double beside) {
@@ -69,7 +77,7 @@ class Motorway {
     if (beside < kMedian_m) return {height, label::kTerrain, 0.12};
     if (beside < kAsphalt_m)
       return {height, is_marking(at, beside) ? label::kLaneMarking : label::kRoad, 0.0};
-    return {height, label::kTerrain, beside < kVerge_m ? 0.08 : 0.2};
+    return {height, label::kTerrain, beside < kVerge_m ? 0.08 : 0.15};
   }
 
   std::shared_ptr<const Path> path_;
@@ -87,7 +95,7 @@ Mesh guard_rail(double length_m) {
 
 void add_rails(SceneBuilder& motorway) {
   constexpr double kPiece_m = 4.0;
-  for (double s = motorway.path().first(); s < motorway.path().last(); s += kPiece_m)
+  for (const double s : every(kPiece_m, motorway.path().first(), motorway.path().last()))
     for (const double d : {-kAsphalt_m - 0.8, -0.9, 0.9, kAsphalt_m + 0.8})
       motorway.place(guard_rail(kPiece_m + 0.02), {s, d});
 }
@@ -96,12 +104,15 @@ Mesh bridge() {
   Mesh mesh;
   const std::uint32_t concrete =
       mesh.add_surface({.label = label::kOtherStructure, .reflectivity = 0.35F});
-  add_box(mesh, {-4.5, -30.0, 4.9}, {4.5, 30.0, 6.0}, concrete);
-  for (const double side : {-1.0, 1.0})
-    add_box(mesh, {-4.5 * side - 0.1, -30.0, 6.0}, {-4.5 * side + 0.1, 30.0, 7.0}, concrete);
+  constexpr double kHalfLength_m = 36.0;
+  add_box(mesh, {-kHalfBridge_m, -kHalfLength_m, kDeck_m - 1.1},
+          {kHalfBridge_m, kHalfLength_m, kDeck_m}, concrete);
+  for (const double x : {-kHalfBridge_m, kHalfBridge_m})
+    add_box(mesh, {x - 0.1, -kHalfLength_m, kDeck_m}, {x + 0.1, kHalfLength_m, kDeck_m + 1.0},
+            concrete);
   for (const double y : {-14.5, 0.0, 14.5})
     for (const double x : {-3.0, 0.0, 3.0})
-      add_cylinder(mesh, {x, y, -2.0}, 0.45, 0.45, 7.0, 12, concrete);
+      add_cylinder(mesh, {x, y, -2.0}, 0.45, 0.45, kDeck_m + 1.0, 12, concrete);
   return mesh;
 }
 
@@ -109,26 +120,30 @@ void add_traffic(SceneBuilder& motorway, double lane_m, double speed_mps, double
                  double lorries) {
   Random random = motorway.next_random();
   const double last = motorway.path().last() * 3.0;
-  for (double s = from_m; s < last; s += random.uniform(35.0, 80.0)) {
+  double s = from_m;
+  while (s < last) {
     const std::uint16_t instance = motorway.next_instance();
     const Random next = motorway.next_random();
     motorway.add_mover(random.chance(lorries) ? make_lorry(next, label::kMovingTruck, instance)
                                               : make_car(next, label::kMovingCar, instance),
                        {s, lane_m}, speed_mps);
+    s += random.uniform(35.0, 80.0);
   }
 }
 
 void plant_slopes(SceneBuilder& motorway) {
-  for (double s = motorway.path().first(); s < motorway.path().last(); s += 5.0)
+  constexpr double kClear_m = 10.0;
+  for (const double s : every(5.0, motorway.path().first(), motorway.path().last()))
     for (const double side : {-1.0, 1.0}) {
       Random random = motorway.next_random();
+      const double along = s + random.uniform(0.0, 5.0);
+      if (std::abs(along - nearest_bridge(along)) < kClear_m) continue;
       if (random.chance(0.6))
-        motorway.place(make_bush(random, random.uniform(0.6, 1.6), random.uniform(0.8, 2.2)),
-                       {s, side * random.uniform(17.0, 30.0)});
+        motorway.place(make_bush(motorway.next_random(), {0.6, 1.6}, {0.8, 2.2}),
+                       {along, side * random.uniform(17.0, 30.0)});
       if (random.chance(0.35))
-        motorway.place(make_tree(motorway.next_random(), random.uniform(1.0, 2.5),
-                                 random.uniform(1.5, 3.0), random.uniform(5.0, 10.0)),
-                       {s + 2.0, side * random.uniform(21.0, 40.0)});
+        motorway.place(make_tree(motorway.next_random(), {1.0, 2.5}, {1.5, 3.0}, {5.0, 10.0}),
+                       {along + 2.0, side * random.uniform(21.0, 40.0)});
     }
 }
 
@@ -142,14 +157,15 @@ Scene make_motorway(std::uint64_t seed, double length_m) {
   motorway.set_lane(-kRightLane_m);
   add_rails(motorway);
   plant_slopes(motorway);
-  for (double s = kFirstBridge_m; s < motorway.path().last(); s += kBetweenBridges_m)
+  for (const double s : every(kBetweenBridges_m, kFirstBridge_m, motorway.path().last()))
     motorway.place(bridge(), {s, 0.0});
-  for (double s = 30.0; s < motorway.path().last(); s += 110.0) {
-    motorway.place(make_sign(random), {s, -kAsphalt_m - 1.4});
+  for (const double s : every(110.0, 30.0, motorway.path().last())) {
+    motorway.place(make_sign(motorway.next_random()), {s, -kAsphalt_m - 1.4});
     motorway.place(make_pole(9.0, 0.12), {s + 40.0, -kAsphalt_m - 1.6});
   }
   add_traffic(motorway, -kRightLane_m, 20.0, 45.0, 0.5);
-  add_traffic(motorway, -kLeftLane_m, 26.0, -90.0, 0.0);
+  // Faster than the own vehicle: those who overtake it late begin far behind.
+  add_traffic(motorway, -kLeftLane_m, 26.0, -90.0 - 0.3 * length_m, 0.0);
   add_traffic(motorway, kRightLane_m, -22.0, 20.0, 0.5);
   add_traffic(motorway, kLeftLane_m, -30.0, 40.0, 0.0);
   return motorway.finish();

@@ -68,4 +68,16 @@ Plant make_conifer(Random random, double clearance_m, double radius_m, double he
 Plant make_bush(Random random, double radius_m, double height_m);
 Plant make_hedge(double length_m, double depth_m, double height_m);
 
+/// The limits of a random size.
+struct Range {
+  double least_m = 0.0;
+  double most_m = 0.0;
+};
+/// @name Plants of random sizes
+/// @{
+Plant make_tree(Random random, Range clearance, Range radius, Range height);
+Plant make_conifer(Random random, Range clearance, Range radius, Range height);
+Plant make_bush(Random random, Range radius, Range height);
+/// @}
+
 }  // namespace groundgrid::simulation

@@ -27,16 +27,16 @@ class Fields {
                           wild * (furrows(place) + 0.06 * bumps(place, 1.1, seed_ + 1)) -
                           0.08 * std::exp(-rut * rut);
     if (beside < kTrack_m) return {height, label::kOtherGround, 0.0};
-    const double grass = 0.18 + 0.17 * bumps(place, 9.0, seed_ + 2);
+    const double grass = 0.16 + 0.15 * bumps(place, 9.0, seed_ + 2);
     return {height, label::kTerrain, wild * std::max(grass, 0.02)};
   }
 
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
     Random random(hash({seed, 100}));
-    return {{2.6, {0.055, 0.02}, random.uniform(0.0, 2.0 * kPi)},
-            {1.6, {-0.03, 0.08}, random.uniform(0.0, 2.0 * kPi)},
-            {0.35, {0.21, 0.13}, random.uniform(0.0, 2.0 * kPi)}};
+    return {{1.8, {0.055, 0.02}, random.uniform(0.0, 2.0 * kPi)},
+            {1.2, {-0.03, 0.08}, random.uniform(0.0, 2.0 * kPi)},
+            {0.2, {0.21, 0.13}, random.uniform(0.0, 2.0 * kPi)}};
   }
 
   /// Every second field is ploughed.
@@ -52,19 +52,20 @@ class Fields {
 
 void scatter(SceneBuilder& fields, double s, double side) {
   Random random = fields.next_random();
-  const double at = s + random.uniform(0.0, 5.0);
-  if (random.chance(0.45))
-    fields.place(make_rock(fields.next_random()), {at, side * random.uniform(3.0, 22.0)},
-                 random.uniform(0.0, 6.0));
-  if (random.chance(0.5))
-    fields.place(
-        make_bush(fields.next_random(), random.uniform(0.4, 1.6), random.uniform(0.5, 2.0)),
-        {at + 1.0, side * random.uniform(4.0, 35.0)});
-  if (random.chance(0.25))
-    fields.place(make_tree(fields.next_random(), random.uniform(1.2, 2.5), random.uniform(1.6, 3.2),
-                           random.uniform(5.0, 10.0)),
-                 {at + 2.0, side * random.uniform(6.0, 50.0)});
-  if (random.chance(0.12)) fields.place(make_pole(1.3, 0.06), {at + 3.0, side * 3.4});
+  const auto somewhere = [&](double least, double most) {
+    const double along = s + random.uniform(0.0, 5.0);
+    return Station{along, side * random.uniform(least, most)};
+  };
+  if (random.chance(0.45)) {
+    const double turn = random.uniform(0.0, 6.0);
+    fields.place(make_rock(fields.next_random()), somewhere(3.0, 22.0), turn);
+  }
+  if (random.chance(0.6))
+    fields.place(make_bush(fields.next_random(), {0.4, 1.6}, {0.5, 2.0}), somewhere(4.0, 35.0));
+  if (random.chance(0.3))
+    fields.place(make_tree(fields.next_random(), {1.2, 2.5}, {1.6, 3.2}, {5.0, 10.0}),
+                 somewhere(6.0, 50.0));
+  if (random.chance(0.12)) fields.place(make_pole(1.3, 0.06), {s, side * 3.4});
 }
 
 }  // namespace
@@ -77,10 +78,12 @@ Scene make_offroad(std::uint64_t seed, double length_m) {
                       length_m);
   fields.set_ground(Fields(fields.shared_path(), seed));
   for (const double side : {-1.0, 1.0})
-    for (double s = fields.path().first(); s < fields.path().last(); s += 5.0)
+    for (const double s : every(5.0, fields.path().first(), fields.path().last()))
       scatter(fields, s, side);
-  fields.add_mover(make_person(fields.next_random(), label::kMovingPerson, fields.next_instance()),
-                   {30.0, 2.5}, 1.2);
+  for (const double s : every(150.0, 30.0, fields.path().last()))
+    fields.add_mover(
+        make_person(fields.next_random(), label::kMovingPerson, fields.next_instance()), {s, 2.2},
+        1.2);
   return fields.finish();
 }
 

@@ -11,6 +11,8 @@ constexpr float kCrownDensity = 0.9F;
 constexpr float kBushDensity = 3.0F;
 constexpr float kHedgeDensity = 7.0F;
 
+double draw(Random& random, Range range) { return random.uniform(range.least_m, range.most_m); }
+
 std::uint32_t add_wood(Mesh& mesh) {
   return mesh.add_surface({.label = label::kTrunk, .reflectivity = 0.3F});
 }
@@ -62,6 +64,27 @@ Plant make_bush(Random random, double radius_m, double height_m) {
                   {0.75 * radius_m, 0.75 * radius_m, 0.6 * height_m}, leaves);
   }
   return bush;
+}
+
+// Drawn one after another: the order in which arguments are evaluated is not given.
+Plant make_tree(Random random, Range clearance, Range radius, Range height) {
+  const double clearance_m = draw(random, clearance);
+  const double radius_m = draw(random, radius);
+  const double height_m = draw(random, height);
+  return make_tree(random, clearance_m, radius_m, height_m);
+}
+
+Plant make_conifer(Random random, Range clearance, Range radius, Range height) {
+  const double clearance_m = draw(random, clearance);
+  const double radius_m = draw(random, radius);
+  const double height_m = draw(random, height);
+  return make_conifer(random, clearance_m, radius_m, height_m);
+}
+
+Plant make_bush(Random random, Range radius, Range height) {
+  const double radius_m = draw(random, radius);
+  const double height_m = draw(random, height);
+  return make_bush(random, radius_m, height_m);
 }
 
 Plant make_hedge(double length_m, double depth_m, double height_m) {

@@ -45,6 +45,14 @@ double bumps(const Eigen::Vector2d& place, double length_m, std::uint64_t seed) 
   return std::lerp(south, north, v);
 }
 
+double beside_road(double beyond_m, double land_m, const Earthwork& earthwork) {
+  const double down = earthwork.gradient * beyond_m;
+  const double ditch_side = earthwork.ditch_m / earthwork.gradient;
+  const double behind = std::max(0.0, beyond_m - ditch_side - earthwork.bottom_m);
+  const double up = earthwork.gradient * behind - std::min(down, earthwork.ditch_m);
+  return std::clamp(land_m, -down, up);
+}
+
 double smooth_step(double low, double high, double value) {
   const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return share * share * (3.0 - 2.0 * share);

@@ -3,6 +3,12 @@
 #include "simulation/scenes.hpp"
 
 namespace groundgrid::simulation {
+namespace {
+
+constexpr double kHalfWheelbase_m = 1.4;
+constexpr double kHalfTrack_m = 0.75;
+
+}  // namespace
 
 std::vector<double> every(double step_m, double from_m, double to_m) {
   std::vector<double> stations;
@@ -36,6 +42,20 @@ void SceneBuilder::place(const Plant& plant, Station station, double turn) {
   const Eigen::Isometry3d T_world_plant = pose(station, turn);
   scene_.solids.append(plant.wood, T_world_plant);
   scene_.leaves.append(plant.leaves, T_world_plant);
+}
+
+void SceneBuilder::park(const Mesh& object, Station station, double turn) {
+  const auto slope = [&](double ahead_m, double left_m) {
+    const double far = height({station.s + ahead_m, station.d + left_m});
+    const double near = height({station.s - ahead_m, station.d - left_m});
+    return (far - near) / (2.0 * (ahead_m + left_m));
+  };
+  const Eigen::Vector3d up(-slope(kHalfWheelbase_m, 0.0), -slope(0.0, kHalfTrack_m), 1.0);
+  const Eigen::AngleAxisd heading(path().heading(station.s), Eigen::Vector3d::UnitZ());
+  Eigen::Isometry3d tilted = pose(station, turn);
+  tilted.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), heading * up) * tilted.linear();
+  scene_.solids.append(object, tilted);
 }
 
 void SceneBuilder::add_mover(Mesh mesh, Station start, double speed_mps) {

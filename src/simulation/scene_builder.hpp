@@ -31,6 +31,8 @@ class SceneBuilder {
   /// The object stands upright on the ground at the station, turned from the path's heading.
   void place(const Mesh& object, Station station, double turn = 0.0);
   void place(const Plant& plant, Station station, double turn = 0.0);
+  /// The same for what stands on wheels: tilted as the ground is.
+  void park(const Mesh& object, Station station, double turn);
   void add_mover(Mesh mesh, Station start, double speed_mps);
 
   Scene finish() { return std::move(scene_); }
