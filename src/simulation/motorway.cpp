@@ -94,10 +94,10 @@ Mesh guard_rail(double length_m) {
 }
 
 void add_rails(SceneBuilder& motorway) {
-  constexpr double kPiece_m = 4.0;
+  constexpr double kPiece_m = 4.0;  // They overlap, for bends.
   for (const double s : every(kPiece_m, motorway.path().first(), motorway.path().last()))
     for (const double d : {-kAsphalt_m - 0.8, -0.9, 0.9, kAsphalt_m + 0.8})
-      motorway.place(guard_rail(kPiece_m + 0.02), {s, d});
+      motorway.place(guard_rail(kPiece_m + 0.15), {s, d});
 }
 
 Mesh bridge() {

@@ -118,6 +118,8 @@ void build_wall(SceneBuilder& place, Station from, Station to, double parapet_m)
   for (const double first : every(kPiece_m, 0.0, length)) {
     const double last = std::min(first + kPiece_m, length);
     const Station start{from.s + first * ahead.s, from.d + first * ahead.d};
+    const Station end{from.s + last * ahead.s, from.d + last * ahead.d};
+    const double piece = (place.path().point(end) - place.path().point(start)).norm();
     const double base = place.height(start);
     double least = base;
     double most = base;
@@ -128,8 +130,8 @@ void build_wall(SceneBuilder& place, Station from, Station to, double parapet_m)
         least = std::min(least, height);
         most = std::max(most, height);
       }
-    place.place(make_wall(last - first + 0.02, kWallDepth_m, most - base + parapet_m,
-                          base - least + 1.0, label::kOtherStructure),
+    place.place(make_wall(piece + 0.05, kWallDepth_m, most - base + parapet_m, base - least + 1.0,
+                          label::kOtherStructure),
                 start, turn);
   }
 }
