@@ -53,7 +53,8 @@ class OffscreenContext::Egl {
   ~Egl() {
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    // The display is the process's, not ours: another context may use it, and ending it would
+    // unload the driver.
     eglReleaseThread();
   }
   Egl(const Egl&) = delete;
