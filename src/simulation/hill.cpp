@@ -41,8 +41,8 @@ class Hillside {
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
     Random random(hash({seed, 100}));
-    return {{10.8, {2.0 * kPi / 500.0, 0.0}, kPi},
-            {2.5, {0.006, 2.0 * kPi / 130.0}, random.uniform(0.0, 2.0 * kPi)},
+    return {{11.3, {2.0 * kPi / 500.0, 0.0}, kPi},
+            {1.8, {0.006, 2.0 * kPi / 130.0}, random.uniform(0.0, 2.0 * kPi)},
             {0.8, {0.07, 0.05}, random.uniform(0.0, 2.0 * kPi)}};
   }
 
