@@ -47,7 +47,7 @@ class Hillside {
   }
 
   [[nodiscard]] double wild(const Eigen::Vector2d& place) const {
-    return relief_.height(place) + 1.0 * bumps(place, 17.0, seed_) +
+    return relief_.height(place) - 0.35 + 1.2 * bumps(place, 17.0, seed_) +
            0.25 * bumps(place, 5.0, seed_ + 1);
   }
 
