@@ -120,12 +120,16 @@ void simulate(const SimulateOptions& options) {
 }
 
 void add_errors(CLI::App& command, simulation::DriveOptions& drive) {
+  CLI::Validator motions = CLI::CheckedTransformer(std::map<std::string, Motion>{
+      {"corrected", Motion::corrected}, {"distorted", Motion::distorted}});
+  // Its own would show the numbers behind the names.
+  motions.description("{corrected,distorted}");
   command
       .add_option("--motion", drive.motion,
                   "corrected: all points in the frame of the scan's middle; distorted: as the "
                   "moving sensor saw them [corrected]")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Motion>{
-          {"corrected", Motion::corrected}, {"distorted", Motion::distorted}}));
+      ->transform(motions)
+      ->type_name("TEXT");
   command
       .add_option("--pose-noise", drive.pose_noise_m,
                   "Standard deviation of each pose's error, metres [0]")
