@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 out=${1:?demo.sh OUT [SCANS]}
-scans=${2:-200}
+scans=${2:-120}
 middle=$((scans / 2))
 groundgrid=build/release/src/program/groundgrid
 drives=$out/drives
