@@ -193,10 +193,7 @@ void print_report(const EvaluateOptions& options, const Arguments& arguments, co
   const Report& report = result.report;
   if (options.csv) return print_result(evaluation::to_csv(report));
   if (!options.json) return print_result(evaluation::to_table(report));
-  nlohmann::ordered_json json;
-  json["program"] = "groundgrid";
-  json["version"] = version();
-  json["command"] = "evaluate";
+  nlohmann::ordered_json json = json_heading("evaluate");
   json["arguments"] = arguments;
   json.update(evaluation::to_json(report));
   for (std::size_t i = 0; i < result.notes.size(); ++i)

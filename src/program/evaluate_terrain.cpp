@@ -137,10 +137,7 @@ class TerrainEvaluation {
 void evaluate_terrain(const TerrainEvaluationOptions& options, const Arguments& arguments) {
   const evaluation::TerrainReport report = TerrainEvaluation(options).report();
   if (!options.json) return print_result(evaluation::to_table(report));
-  nlohmann::ordered_json json;
-  json["program"] = "groundgrid";
-  json["version"] = version();
-  json["command"] = "evaluate-terrain";
+  nlohmann::ordered_json json = json_heading("evaluate-terrain");
   json["arguments"] = arguments;
   json.update(evaluation::to_json(report));
   print_result(to_text(json));
@@ -157,10 +154,7 @@ void add_evaluate_terrain(CLI::App& app, const Arguments& arguments) {
   command->add_option("REFERENCE", options->reference, "GeoTIFF of the true heights")->required();
   command->add_flag("--solve-offset", options->solve_offset,
                     "Take the median difference in dense cells out of all figures");
-  command
-      ->add_option("--reference-unit", options->reference_unit,
-                   "Unit of the reference: m, ft or us-ft [what the file says]")
-      ->check(CLI::IsMember({"m", "ft", "us-ft"}));
+  add_reference_unit(*command, options->reference_unit);
   command->add_option("--groups", options->groups,
                       "Take cells and their density from this terrain of segment --terrain [MAP]");
   CLI::Option* const path = command->add_option(

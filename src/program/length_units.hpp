@@ -1,5 +1,7 @@
 #pragma once
 
+#include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 #include <map>
 #include <string>
 
@@ -12,6 +14,13 @@ inline std::map<std::string, geotiff::LengthUnit> length_units() {
   return {{"m", geotiff::LengthUnit::metre},
           {"ft", geotiff::LengthUnit::foot},
           {"us-ft", geotiff::LengthUnit::us_survey_foot}};
+}
+
+inline void add_reference_unit(CLI::App& command, std::string& unit) {
+  command
+      .add_option("--reference-unit", unit,
+                  "Unit of the reference: m, ft or us-ft [what the file says]")
+      ->check(CLI::IsMember({"m", "ft", "us-ft"}));
 }
 
 }  // namespace groundgrid::program

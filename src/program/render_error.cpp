@@ -127,10 +127,7 @@ void add_render_error(CLI::App& render) {
       ->check(CLI::Range(0.001, 1000.0));
   command->add_flag("--solve-offset", options->solve_offset,
                     "Take the median difference in dense cells out of all errors");
-  command
-      ->add_option("--reference-unit", options->unit,
-                   "Unit of the reference: m, ft or us-ft [what the file says]")
-      ->check(CLI::IsMember({"m", "ft", "us-ft"}));
+  add_reference_unit(*command, options->unit);
   command->callback([options] { render_error(*options); });
 }
 

@@ -164,10 +164,7 @@ ReproducedPreset run_preset(const std::string& name, const Config& config,
 
 std::string text_of(const ReproduceOptions& options, const Reproduction& reproduction) {
   if (!options.json) return evaluation::to_table(reproduction);
-  nlohmann::ordered_json json;
-  json["program"] = "groundgrid";
-  json["version"] = version();
-  json["command"] = "reproduce";
+  nlohmann::ordered_json json = json_heading("reproduce");
   json["dataset"] = options.dataset.string();
   json.update(evaluation::to_json(reproduction));
   return to_text(json);

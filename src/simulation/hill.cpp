@@ -59,8 +59,7 @@ class Hillside {
 void plant_wood(SceneBuilder& wood, double s, double side) {
   Random random = wood.next_random();
   const auto somewhere = [&](double least, double most) {
-    const double along = s + random.uniform(0.0, 3.0);
-    return Station{along, side * random.uniform(least, most)};
+    return somewhere_beside(random, s, 3.0, side, {least, most});
   };
   if (random.chance(0.6))
     wood.place(make_tree(wood.next_random(), {1.5, 4.0}, {1.5, 3.2}, {7.0, 14.0}),

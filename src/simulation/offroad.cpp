@@ -53,8 +53,7 @@ class Fields {
 void scatter(SceneBuilder& fields, double s, double side) {
   Random random = fields.next_random();
   const auto somewhere = [&](double least, double most) {
-    const double along = s + random.uniform(0.0, 5.0);
-    return Station{along, side * random.uniform(least, most)};
+    return somewhere_beside(random, s, 5.0, side, {least, most});
   };
   if (random.chance(0.45)) {
     const double turn = random.uniform(0.0, 6.0);

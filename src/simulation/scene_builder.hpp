@@ -13,6 +13,14 @@ namespace groundgrid::simulation {
 /// From one number to less than another, evenly: the stations of what stands in a row.
 std::vector<double> every(double step_m, double from_m, double to_m);
 
+/// A place within `length_m` of path from s on, and between two distances beside it; `side` is 1
+/// left of the path, -1 right of it.
+inline Station somewhere_beside(Random& random, double s, double length_m, double side,
+                                Range away) {
+  const double along = s + random.uniform(0.0, length_m);
+  return {along, side * random.uniform(away.least_m, away.most_m)};
+}
+
 /// Puts objects beside the path of a scene.
 class SceneBuilder {
  public:

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <random>
 #include <vector>
 
 #include "groundgrid/terrain_view.hpp"
@@ -46,5 +47,20 @@ struct SmallMap {
   std::vector<float> confidence;
   std::vector<CellStatistics> statistics;
 };
+
+/// A map all of whose cells are known, different in every cell and for every seed.
+inline SmallMap noisy_map(int size, double min_x_m, double min_y_m, unsigned seed) {
+  SmallMap map(size);
+  map.min_x_m = min_x_m;
+  map.min_y_m = min_y_m;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> height(-3.0F, 3.0F);
+  std::uniform_real_distribution<float> confidence(0.1F, 1.0F);
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column)
+      map.set(column, row, height(random), confidence(random),
+              static_cast<std::uint32_t>(random() % 1000));
+  return map;
+}
 
 }  // namespace groundgrid::test

@@ -6,15 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
-#include <utility>
 
 #include "io/error.hpp"
 #include "io/temporary_folder.hpp"
 #include "read_raster.hpp"
 #include "small_map.hpp"
-#include "support/limited_file_size.hpp"
 
 namespace groundgrid::geotiff {
 namespace {
@@ -23,26 +20,12 @@ using test::contains;
 using test::files_below;
 using test::message_of;
 using test::Names;
+using test::noisy_map;
 using test::Raster;
 using test::read_raster;
 using test::SmallMap;
 
 constexpr float kHighestCount = 4294967296.0F;  // 2³², the float nearest to 2³² - 1
-
-/// A map all of whose cells are known, different in every cell and for every seed.
-SmallMap noisy_map(int size, double min_x_m, double min_y_m, unsigned seed) {
-  SmallMap map(size);
-  map.min_x_m = min_x_m;
-  map.min_y_m = min_y_m;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> height(-3.0F, 3.0F);
-  std::uniform_real_distribution<float> confidence(0.1F, 1.0F);
-  for (int row = 0; row < size; ++row)
-    for (int column = 0; column < size; ++column)
-      map.set(column, row, height(random), confidence(random),
-              static_cast<std::uint32_t>(random() % 1000));
-  return map;
-}
 
 /// What a mosaic of these maps is, with no-data around the cells that are known.
 Raster mosaic_of(const std::vector<SmallMap>& maps, const std::string& crs = {}) {
@@ -337,95 +320,6 @@ TEST(TerrainMosaic, IsEmptyUntilAScanHasShownGround) {
   mosaic.finish();
   EXPECT_FALSE(mosaic.empty());
   EXPECT_EQ(read_raster(folder / "terrain.tif").at(1, 2, 2), 0.5F);
-}
-
-TEST(TerrainMosaic, LeavesNothingWithoutFinish) {
-  const test::TemporaryFolder folder;
-  {
-    TerrainMosaic mosaic(folder / "terrain.tif");
-    for (int scan = 0; scan < 4; ++scan) mosaic.add(noisy_map(100, 200.0 * scan, 0.0, 1).view());
-    EXPECT_EQ(files_below(folder.path()), Names{}) << "not even while it is made";
-  }
-  EXPECT_EQ(files_below(folder.path()), Names{});
-}
-
-TEST(TerrainMosaic, ReplacesAFileOnlyAtTheEnd) {
-  const test::TemporaryFolder folder;
-  test::write_file(folder / "terrain.tif", "old");
-  TerrainMosaic mosaic(folder / "terrain.tif");
-  mosaic.add(noisy_map(10, 0.0, 0.0, 1).view());
-  EXPECT_EQ(test::read_file(folder / "terrain.tif"), "old");
-  mosaic.finish();
-  EXPECT_EQ(read_raster(folder / "terrain.tif").columns, 10);
-}
-
-TEST(TerrainMosaic, GrowsFurtherAfterItWasWritten) {
-  const test::TemporaryFolder folder;
-  TerrainMosaic mosaic(folder / "terrain.tif");
-  mosaic.add(noisy_map(10, 0.0, 0.0, 1).view());
-  mosaic.finish();
-  mosaic.add(noisy_map(10, 2.5, 0.0, 2).view());
-  mosaic.finish();
-  EXPECT_EQ(read_raster(folder / "terrain.tif").columns, 15);
-  EXPECT_EQ(files_below(folder.path()), (Names{"terrain.tif"}));
-}
-
-TEST(TerrainMosaic, MayBeMoved) {
-  const test::TemporaryFolder folder;
-  TerrainMosaic mosaic(folder / "a.tif");
-  mosaic.add(noisy_map(10, 0.0, 0.0, 1).view());
-  TerrainMosaic moved(std::move(mosaic));
-  moved.finish();
-  EXPECT_EQ(read_raster(folder / "a.tif").columns, 10);
-}
-
-TEST(TerrainMosaic, SaysAtOnceThatAFolderIsMissing) {
-  const test::TemporaryFolder folder;
-  EXPECT_TRUE(
-      contains(message_of<io::Error>([&] { TerrainMosaic mosaic(folder / "none/terrain.tif"); }),
-               "none/terrain.tif: expected a place to write to, got No such file"));
-}
-
-TEST(TerrainMosaic, RefusesAnUnknownReferenceSystemAtOnce) {
-  const test::TemporaryFolder folder;
-  EXPECT_TRUE(contains(message_of<std::invalid_argument>(
-                           [&] { TerrainMosaic mosaic(folder / "terrain.tif", "EPSG:999999"); }),
-                       "'EPSG:999999'"));
-}
-
-TEST(TerrainMosaic, AFullDiskIsNoticedWhenTilesAreSetAside) {
-  const test::TemporaryFolder folder;
-  TerrainMosaic mosaic(folder / "terrain.tif");
-  mosaic.add(noisy_map(200, 0.0, 0.0, 1).view());
-  const test::LimitedFileSize limit(500'000);
-  EXPECT_TRUE(
-      contains(message_of<io::Error>([&] { mosaic.add(noisy_map(200, 500.0, 0.0, 2).view()); }),
-               "terrain.tif: expected a place to write to, got File too large"));
-  EXPECT_EQ(files_below(folder.path()), Names{});
-}
-
-TEST(TerrainMosaic, AFullDiskAtTheEndLeavesTheOldFile) {
-  const test::TemporaryFolder folder;
-  test::write_file(folder / "terrain.tif", "old");
-  TerrainMosaic mosaic(folder / "terrain.tif");
-  mosaic.add(noisy_map(200, 0.0, 0.0, 1).view());
-  {
-    const test::LimitedFileSize limit(100'000);
-    EXPECT_THROW(mosaic.finish(), io::Error);
-  }
-  EXPECT_EQ(test::read_file(folder / "terrain.tif"), "old");
-  EXPECT_EQ(files_below(folder.path()), (Names{"terrain.tif"}));
-}
-
-TEST(TerrainMosaic, TwoRunsWriteTheSameBytes) {
-  const test::TemporaryFolder folder;
-  for (const char* const name : {"a.tif", "b.tif"}) {
-    TerrainMosaic mosaic(folder / name, "EPSG:32632");
-    for (unsigned scan = 0; scan < 6; ++scan)
-      mosaic.add(noisy_map(150, 40.0 * scan, 25.0 * (scan % 3), scan).view());
-    mosaic.finish();
-  }
-  EXPECT_TRUE(test::read_file(folder / "a.tif") == test::read_file(folder / "b.tif"));
 }
 
 }  // namespace
