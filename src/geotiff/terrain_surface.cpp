@@ -52,6 +52,7 @@ void TerrainSurface::complete(HeightWindow& window) const {
 bool TerrainSurface::is_raised(const HeightWindow& window, std::int64_t column,
                                std::int64_t row) const {
   const float height = window.heights[window.index(column, row)];
+  if (std::isnan(height)) return false;
   return std::any_of(neighbours_.begin(), neighbours_.end(), [&](const Neighbour& to) {
     const std::int64_t x = column + to.columns;
     const std::int64_t y = row + to.rows;
