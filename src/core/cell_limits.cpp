@@ -7,7 +7,7 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kCellsPerTile = 1024;
+constexpr std::size_t kLimitsPerTile = 1024;
 constexpr float kStep_m = static_cast<float>(CellStatistics::kStep_m);
 // Ground points lie at most this far below the map's height; deeper ones are reflections.
 constexpr double kBandBelow_m = 0.3;
@@ -98,7 +98,7 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, std::span<const Labe
                        columns_[cell].rising ? tall_threshold : free_threshold};
     }
   };
-  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, choose);
+  runner.parallel_for_ranges(grid.occupied.size(), kLimitsPerTile, choose);
 }
 
 }  // namespace groundgrid

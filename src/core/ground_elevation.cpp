@@ -6,7 +6,7 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kCellsPerTile = 4096;
+constexpr std::size_t kElevationsPerTile = 4096;
 // Paper III-D: what an obstacle cell below the known ground adds to the confidence, and up to
 // where.
 constexpr float kObstacleConfidenceStep = 0.1F;
@@ -50,7 +50,7 @@ void update_elevation(const ScanGrid& grid, const GroundCells& ground_cells, con
   const auto update_cells = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) update_cell(i);
   };
-  runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, update_cells);
+  runner.parallel_for_ranges(grid.occupied.size(), kElevationsPerTile, update_cells);
 }
 
 }  // namespace groundgrid

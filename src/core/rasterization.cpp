@@ -11,14 +11,14 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kPointsPerTile = 8192;
+constexpr std::size_t kBinnedPerTile = 8192;
 constexpr float kStepsPerMetre = 1e4F;
 // Points further above or below the z origin are outside the map: the squares of the heights of
 // four million points up to 2^21 steps (209.7 m) fit into 64 bits.
-constexpr float kMaxHeight_m = 209.0F;
+constexpr float kHeightLimit_m = 209.0F;
 
 std::uint32_t cell_of(const WindowCells& cells, const Point3f& p) {
-  if (!cells.contains(p) || !(std::abs(p.z) < kMaxHeight_m)) return BinnedPoints::kNoCell;
+  if (!cells.contains(p) || !(std::abs(p.z) < kHeightLimit_m)) return BinnedPoints::kNoCell;
   return static_cast<std::uint32_t>(cells.index_of(p.y) * cells.size + cells.index_of(p.x));
 }
 
@@ -77,7 +77,7 @@ void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& c
   const WindowCells cells(map);
   if (pass.trajectory.moving()) {
     runner.parallel_for_ranges(
-        pass.points.count, kPointsPerTile, [&](std::size_t begin, std::size_t end) {
+        pass.points.count, kBinnedPerTile, [&](std::size_t begin, std::size_t end) {
           bin_range(pass, begin, end, exclusion, cells, bins,
                     [&](std::size_t i) { return pass.trajectory.at(pass.points, i); });
         });
@@ -86,7 +86,7 @@ void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& c
   // A copy of its own stays in registers.
   const PointTransform T_window_sensor = pass.trajectory.end();
   runner.parallel_for_ranges(
-      pass.points.count, kPointsPerTile, [&](std::size_t begin, std::size_t end) {
+      pass.points.count, kBinnedPerTile, [&](std::size_t begin, std::size_t end) {
         bin_range(pass, begin, end, exclusion, cells, bins,
                   [&](std::size_t) -> const PointTransform& { return T_window_sensor; });
       });

@@ -7,13 +7,13 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kPointsPerTile = 8192;
+constexpr std::size_t kLabelsPerTile = 8192;
 
 }  // namespace
 
 void segment(const BinnedPoints& bins, const CellLimits& limits, const ElevationMap& map,
              TileRunner& runner, std::span<Label> labels, std::span<float> height_above_ground) {
-  constexpr auto kStep_m = static_cast<float>(CellStatistics::kStep_m);
+  constexpr auto kHeightStep_m = static_cast<float>(CellStatistics::kStep_m);
   const CellLimit* limit_of = limits.limits().data();
   const auto segment_points = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -22,7 +22,7 @@ void segment(const BinnedPoints& bins, const CellLimits& limits, const Elevation
         height_above_ground[i] = std::numeric_limits<float>::quiet_NaN();
         continue;
       }
-      const float z = static_cast<float>(bins.z[i]) * kStep_m;
+      const float z = static_cast<float>(bins.z[i]) * kHeightStep_m;
       if (labels[i] == Label::outlier) {
         height_above_ground[i] = z - map.height()[cell];
         continue;
@@ -33,7 +33,7 @@ void segment(const BinnedPoints& bins, const CellLimits& limits, const Elevation
       labels[i] = above <= limit.threshold ? Label::ground : Label::obstacle;
     }
   };
-  runner.parallel_for_ranges(bins.cell.size(), kPointsPerTile, segment_points);
+  runner.parallel_for_ranges(bins.cell.size(), kLabelsPerTile, segment_points);
 }
 
 }  // namespace groundgrid

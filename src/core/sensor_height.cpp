@@ -21,7 +21,7 @@ constexpr float kCell_m = 0.5F;
 constexpr float kReach_m = 20.0F;
 constexpr int kCells = 80;
 constexpr float kFlat_m = 0.12F;
-constexpr float kMaxHeight_m = 8.0F;
+constexpr float kMaxSensorHeight_m = 8.0F;
 constexpr float kBin_m = 0.05F;
 constexpr int kBins = 160;
 constexpr std::size_t kMinVotes = 5;
@@ -67,7 +67,7 @@ std::vector<FlatCell> flat_cells(const PointView& points, const Exclusion& exclu
     for (int column = 0; column < kCells; ++column) {
       const Extremes& cell = cells[static_cast<std::size_t>(row * kCells + column)];
       const float depth = -0.5F * (cell.min + cell.max);
-      if (cell.max - cell.min < kFlat_m && depth > 0.0F && depth < kMaxHeight_m)
+      if (cell.max - cell.min < kFlat_m && depth > 0.0F && depth < kMaxSensorHeight_m)
         flat.push_back({centre_of(column), centre_of(row), static_cast<double>(depth)});
     }
   }
@@ -129,7 +129,7 @@ std::optional<double> estimate_sensor_height(const PointView& points, const Conf
   }
   // The plane may meet the sensor's axis where no cell was, even above the sensor.
   const double height = plane.x();
-  if (!(height > 0.0 && height < static_cast<double>(kMaxHeight_m))) return std::nullopt;
+  if (!(height > 0.0 && height < static_cast<double>(kMaxSensorHeight_m))) return std::nullopt;
   return height;
 }
 

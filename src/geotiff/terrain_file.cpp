@@ -35,7 +35,7 @@ void check_size(const std::filesystem::path& path, const RasterGrid& grid) {
                    .remedy = "check the poses for one that is far off"});
 }
 
-GDALDataset* create(const std::filesystem::path& path, const RasterGrid& grid) {
+GDALDataset* create_raster(const std::filesystem::path& path, const RasterGrid& grid) {
   const std::string side = std::to_string(TerrainBlock::kSide);
   CPLStringList options;
   options.SetNameValue("TILED", "YES");
@@ -57,7 +57,7 @@ TerrainFile::TerrainFile(const std::filesystem::path& path, const RasterGrid& gr
                          const std::optional<OGRSpatialReference>& crs)
     : file_(path), grid_(grid) {
   check_size(path, grid);
-  dataset_.reset(create(file_.hidden(), grid));
+  dataset_.reset(create_raster(file_.hidden(), grid));
   check(dataset_ != nullptr);
   describe(grid, crs);
 }

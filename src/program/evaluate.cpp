@@ -83,9 +83,9 @@ std::vector<io::ScanSequence> labelled_sequences(const EvaluateOptions& options)
 }
 
 /// What is true of one scan after another of a sequence.
-class Truth {
+class SequenceTruth {
  public:
-  explicit Truth(const io::ScanSequence& sequence)
+  explicit SequenceTruth(const io::ScanSequence& sequence)
       : labels_folder_(sequence.labels()),
         heights_folder_(sequence.true_heights()),
         has_heights_(io::is_folder(heights_folder_)) {}
@@ -118,7 +118,7 @@ struct Evaluation {
 SequenceResult run_method(MethodRunner runner, const io::ScanSequence& sequence, MethodNotes& notes,
                           ProgressBar& progress) {
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
-  Truth truth(sequence);
+  SequenceTruth truth(sequence);
   std::vector<double> milliseconds;
   ScanSlot slot;
   // One after the other, so that nothing disturbs the times.
@@ -166,7 +166,7 @@ SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSe
                  sequence.scans.size());
   SequenceResult figures{.name = sequence.name, .scans = sequence.scans.size()};
   ScanSlot slot;
-  Truth truth(sequence);
+  SequenceTruth truth(sequence);
   for (const io::ScanFile& scan : sequence.scans) {
     check_interrupt();
     read_into_slot(scan, Eigen::Matrix3d::Identity(), slot);

@@ -6,9 +6,13 @@
 #include "program/parameter_words.hpp"
 
 namespace groundgrid::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 nlohmann::ordered_json parameter_json(const Config& config) {
-  using Json = nlohmann::ordered_json;
   const Json values = to_json(config);
   Json list = Json::array();
   for (const Parameter& parameter : parameters()) {

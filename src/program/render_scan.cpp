@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr rendering::ImageSize kUsualSize{1200, 1000};
+constexpr rendering::ImageSize kUsualScanSize{1200, 1000};
 
 struct RenderScanOptions {
   InputOptions input;
@@ -76,7 +76,7 @@ void render_scan(const RenderScanOptions& options) {
   options.picture.check();
   options.look.check();
   const ChosenScan chosen = choose_scan(options.input, options.number);
-  const ScanPainter painter(options.look, options.picture.size_or(kUsualSize));
+  const ScanPainter painter(options.look, options.picture.size_or(kUsualScanSize));
   const LabelledScan labelled = label_scan(options, chosen);
   std::vector<std::uint32_t> truth;
   if (options.look.errors())

@@ -29,7 +29,7 @@ using rendering::HeightGrid;
 using rendering::ValueRange;
 
 // More cells than this a side show in no picture.
-constexpr int kMostCells = 4000;
+constexpr int kMostCellsFromAbove = 4000;
 constexpr int kMostCellsInPerspective = 1500;
 
 // Few cells beyond these heights must not take the colours from all others.
@@ -65,8 +65,8 @@ ValueRange color_range(const RenderTerrainOptions& options, const HeightGrid& gr
 
 rendering::TerrainPicture read_picture(const RenderTerrainOptions& options) {
   rendering::TerrainPicture picture;
-  picture.grid =
-      read_grid(options.terrain, options.view.perspective() ? kMostCellsInPerspective : kMostCells);
+  picture.grid = read_grid(
+      options.terrain, options.view.perspective() ? kMostCellsInPerspective : kMostCellsFromAbove);
   picture.heights_m = color_range(options, picture.grid);
   picture.path = options.path.read(picture.grid);
   picture.title = options.picture.title_or(options.terrain.filename().string());

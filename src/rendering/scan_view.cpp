@@ -11,7 +11,7 @@
 namespace groundgrid::rendering {
 namespace {
 
-constexpr Color kRing{196, 196, 196};
+constexpr Color kRangeRing{196, 196, 196};
 constexpr float kPointSize_m = 0.065F;
 constexpr int kRings = 5;
 
@@ -41,7 +41,7 @@ void add_rings(Scene& scene, const ScanPicture& picture) {
       scene.points.push_back({.x = static_cast<float>(ring * step * std::cos(angle)),
                               .y = static_cast<float>(ring * step * std::sin(angle)),
                               .z = -static_cast<float>(picture.sensor_height_m),
-                              .color = kRing});
+                              .color = kRangeRing});
     }
   }
 }

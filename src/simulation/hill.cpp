@@ -11,10 +11,11 @@
 namespace groundgrid::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLane_m = 1.3;
-constexpr double kRoad_m = 2.7;      // Half the width.
-constexpr double kShoulder_m = 3.6;  // Where the gravel beside the road ends and the slope begins.
+using std::numbers::pi;
+
+constexpr double kHillLane_m = 1.3;
+constexpr double kHillRoad_m = 2.7;  // Half the width.
+constexpr double kGravel_m = 3.6;    // Where the gravel beside the road ends and the slope begins.
 constexpr double kCrown = 0.025;     // The fall of the road to its sides.
 constexpr Earthwork kEarthwork{.gradient = 0.4, .ditch_m = 0.22, .bottom_m = 0.4};
 
@@ -27,10 +28,10 @@ class Hillside {
     const Station at = path_->project(place);
     const double beside = std::abs(at.d);
     const double edge =
-        relief_.height(path_->point({at.s, 0.0})) - kCrown * std::min(beside, kShoulder_m);
-    if (beside < kRoad_m) return {edge, label::kRoad, 0.0};
-    if (beside < kShoulder_m) return {edge, label::kOtherGround, 0.0};
-    const double beyond = beside - kShoulder_m;
+        relief_.height(path_->point({at.s, 0.0})) - kCrown * std::min(beside, kGravel_m);
+    if (beside < kHillRoad_m) return {edge, label::kRoad, 0.0};
+    if (beside < kGravel_m) return {edge, label::kOtherGround, 0.0};
+    const double beyond = beside - kGravel_m;
     const double slope = beside_road(beyond, wild(place) - edge, kEarthwork);
     const double floor = 0.06 * bumps(place, 1.3, seed_ + 2);
     const double grass = 0.12 + 0.1 * bumps(place, 4.0, seed_ + 3);
@@ -41,9 +42,9 @@ class Hillside {
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
     Random random(hash({seed, 100}));
-    return {{11.3, {2.0 * kPi / 500.0, 0.0}, kPi},
-            {1.8, {0.006, 2.0 * kPi / 130.0}, random.uniform(0.0, 2.0 * kPi)},
-            {0.8, {0.07, 0.05}, random.uniform(0.0, 2.0 * kPi)}};
+    return {{11.3, {2.0 * pi / 500.0, 0.0}, pi},
+            {1.8, {0.006, 2.0 * pi / 130.0}, random.uniform(0.0, 2.0 * pi)},
+            {0.8, {0.07, 0.05}, random.uniform(0.0, 2.0 * pi)}};
   }
 
   [[nodiscard]] double wild(const Eigen::Vector2d& place) const {
@@ -86,7 +87,7 @@ Scene make_hill(std::uint64_t seed, double length_m) {
                      {random.uniform(0.08, 0.14), 70.0, random.uniform(-0.3, 0.3)}},
                     length_m);
   wood.set_ground(Hillside(wood.shared_path(), seed));
-  wood.set_lane(-kLane_m);
+  wood.set_lane(-kHillLane_m);
   for (const double side : {-1.0, 1.0}) {
     for (const double s : every(3.0, wood.path().first(), wood.path().last()))
       plant_wood(wood, s, side);
@@ -96,7 +97,7 @@ Scene make_hill(std::uint64_t seed, double length_m) {
   double s = 90.0;
   while (s < 2.0 * wood.path().last()) {
     wood.add_mover(make_car(wood.next_random(), label::kMovingCar, wood.next_instance()),
-                   {s, kLane_m}, -9.0);
+                   {s, kHillLane_m}, -9.0);
     s += random.uniform(80.0, 200.0);
   }
   return wood.finish();

@@ -11,7 +11,8 @@
 namespace groundgrid::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr double kMedian_m = 1.6;    // Half its width.
 constexpr double kShoulder_m = 9.3;  // Where the hard shoulder begins.
 constexpr double kAsphalt_m = 12.0;
@@ -45,7 +46,7 @@ class Motorway {
 
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
-    return {{4.0, {2.0 * kPi / 700.0, 0.0}, Random(hash({seed, 100})).uniform(0.0, 2.0 * kPi)}};
+    return {{4.0, {2.0 * pi / 700.0, 0.0}, Random(hash({seed, 100})).uniform(0.0, 2.0 * pi)}};
   }
 
   [[nodiscard]] double level(double s) const { return relief_.height(path_->point({s, 0.0})); }
@@ -63,7 +64,7 @@ class Motorway {
   }
 
   static Earthwork earthwork(Station at) {
-    const double turn = 2.0 * kPi * at.s / 150.0 + (at.d < 0.0 ? 0.0 : 2.0);
+    const double turn = 2.0 * pi * at.s / 150.0 + (at.d < 0.0 ? 0.0 : 2.0);
     return {.gradient = 0.35 + 0.05 * std::sin(turn), .ditch_m = 0.4, .bottom_m = 0.5};
   }
 
@@ -151,7 +152,7 @@ void plant_slopes(SceneBuilder& motorway) {
 
 Scene make_motorway(std::uint64_t seed, double length_m) {
   Random random(hash({seed, 1}));
-  SceneBuilder motorway(seed, {{random.uniform(0.05, 0.1), 500.0, random.uniform(0.0, 2.0 * kPi)}},
+  SceneBuilder motorway(seed, {{random.uniform(0.05, 0.1), 500.0, random.uniform(0.0, 2.0 * pi)}},
                         length_m);
   motorway.set_ground(Motorway(motorway.shared_path(), seed));
   motorway.set_lane(-kRightLane_m);

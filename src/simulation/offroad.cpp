@@ -10,7 +10,8 @@
 namespace groundgrid::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr double kTrack_m = 1.3;  // Half its width.
 
 class Fields {
@@ -34,15 +35,15 @@ class Fields {
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
     Random random(hash({seed, 100}));
-    return {{1.8, {0.055, 0.02}, random.uniform(0.0, 2.0 * kPi)},
-            {1.2, {-0.03, 0.08}, random.uniform(0.0, 2.0 * kPi)},
-            {0.2, {0.21, 0.13}, random.uniform(0.0, 2.0 * kPi)}};
+    return {{1.8, {0.055, 0.02}, random.uniform(0.0, 2.0 * pi)},
+            {1.2, {-0.03, 0.08}, random.uniform(0.0, 2.0 * pi)},
+            {0.2, {0.21, 0.13}, random.uniform(0.0, 2.0 * pi)}};
   }
 
   /// Every second field is ploughed.
   [[nodiscard]] double furrows(const Eigen::Vector2d& place) const {
     const double field = smooth_step(-0.1, 0.1, bumps(place, 45.0, seed_ + 3));
-    return 0.09 * field * std::sin(2.0 * kPi * (0.3 * place.x() + 0.95 * place.y()) / 0.9);
+    return 0.09 * field * std::sin(2.0 * pi * (0.3 * place.x() + 0.95 * place.y()) / 0.9);
   }
 
   std::shared_ptr<const Path> path_;
@@ -72,8 +73,8 @@ void scatter(SceneBuilder& fields, double s, double side) {
 Scene make_offroad(std::uint64_t seed, double length_m) {
   Random random(hash({seed, 1}));
   SceneBuilder fields(seed,
-                      {{random.uniform(0.2, 0.35), 140.0, random.uniform(0.0, 2.0 * kPi)},
-                       {0.08, 50.0, random.uniform(0.0, 2.0 * kPi)}},
+                      {{random.uniform(0.2, 0.35), 140.0, random.uniform(0.0, 2.0 * pi)},
+                       {0.08, 50.0, random.uniform(0.0, 2.0 * pi)}},
                       length_m);
   fields.set_ground(Fields(fields.shared_path(), seed));
   for (const double side : {-1.0, 1.0})

@@ -6,7 +6,7 @@ namespace groundgrid::simulation {
 namespace {
 
 constexpr double kHalfWheelbase_m = 1.4;
-constexpr double kHalfTrack_m = 0.75;
+constexpr double kHalfCarTrack_m = 0.75;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void SceneBuilder::park(const Mesh& object, Station station, double turn) {
     const double near = height({station.s - ahead_m, station.d - left_m});
     return (far - near) / (2.0 * (ahead_m + left_m));
   };
-  const Eigen::Vector3d up(-slope(kHalfWheelbase_m, 0.0), -slope(0.0, kHalfTrack_m), 1.0);
+  const Eigen::Vector3d up(-slope(kHalfWheelbase_m, 0.0), -slope(0.0, kHalfCarTrack_m), 1.0);
   const Eigen::AngleAxisd heading(path().heading(station.s), Eigen::Vector3d::UnitZ());
   Eigen::Isometry3d tilted = pose(station, turn);
   tilted.linear() =

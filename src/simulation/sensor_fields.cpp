@@ -111,21 +111,21 @@ std::optional<std::string> SensorFields::word(const std::string& name) {
   return value != nullptr ? std::optional(*value) : std::nullopt;
 }
 
-std::optional<double> SensorFields::number(const std::string& name, Range range) {
+std::optional<double> SensorFields::number(const std::string& name, Limits range) {
   const auto* const value = take<double>(name, "a number");
   if (value == nullptr) return std::nullopt;
   require_range(name, *value, range);
   return *value;
 }
 
-std::optional<std::vector<double>> SensorFields::numbers(const std::string& name, Range range) {
+std::optional<std::vector<double>> SensorFields::numbers(const std::string& name, Limits range) {
   const auto* const values = take<std::vector<double>>(name, "a list of numbers");
   if (values == nullptr) return std::nullopt;
   for (const double value : *values) require_range(name, value, range);
   return *values;
 }
 
-void SensorFields::require_range(const std::string& name, double value, Range range) const {
+void SensorFields::require_range(const std::string& name, double value, Limits range) const {
   if (value >= range.least && value <= range.greatest) return;
   fail(name, fmt::format("{} to {}", range.least, range.greatest), fmt::format("{}", value));
 }

@@ -12,7 +12,7 @@
 namespace groundgrid::simulation {
 
 /// What a field may be between.
-struct Range {
+struct Limits {
   double least;
   double greatest;
 };
@@ -28,8 +28,8 @@ class SensorFields {
   /// Throws io::Error where it is of another kind or a number is out of range.
   /// @{
   std::optional<std::string> word(const std::string& name);
-  std::optional<double> number(const std::string& name, Range range);
-  std::optional<std::vector<double>> numbers(const std::string& name, Range range);
+  std::optional<double> number(const std::string& name, Limits range);
+  std::optional<std::vector<double>> numbers(const std::string& name, Limits range);
   /// @}
 
   /// Throws io::Error where a field was not taken, hence is unknown.
@@ -50,7 +50,7 @@ class SensorFields {
   [[nodiscard]] Value value_in(const std::string& entry, std::size_t line) const;
   template <typename Kind>
   const Kind* take(const std::string& name, const std::string& expected);
-  void require_range(const std::string& name, double value, Range range) const;
+  void require_range(const std::string& name, double value, Limits range) const;
   [[noreturn]] void fail_line(std::size_t line, const std::string& expected,
                               std::string_view got) const;
 

@@ -17,8 +17,8 @@ namespace {
 constexpr std::size_t kMostBytes = 65536;
 constexpr std::size_t kMostBeams = 256;
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr Range kElevations_deg{-90.0, 90.0};
-constexpr Range kTurns_deg{-180.0, 180.0};
+constexpr Limits kElevations_deg{-90.0, 90.0};
+constexpr Limits kTurns_deg{-180.0, 180.0};
 
 Sensor start_of(SensorFields& fields) {
   const auto like = fields.word("like");

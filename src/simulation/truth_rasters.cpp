@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAtKerb_m = 0.3;
 constexpr double kStepWidth_m = 0.3;
-constexpr double kStep_m = 0.05;
+constexpr double kStepHeight_m = 0.05;
 constexpr double kSlopeWidth_m = 1.0;
 
 double slope(const Terrain& terrain, const Eigen::Vector2d& place, double width_m) {
@@ -55,8 +55,8 @@ std::vector<float> TruthRasters::under_leaves() const {
 bool TruthRasters::is_step(const Eigen::Vector2d& place) const {
   const Terrain& terrain = world_->terrain();
   const double steep = slope(terrain, place, kStepWidth_m);
-  return steep * kStepWidth_m > kStep_m &&
-         (steep - slope(terrain, place, kSlopeWidth_m)) * kStepWidth_m > kStep_m;
+  return steep * kStepWidth_m > kStepHeight_m &&
+         (steep - slope(terrain, place, kSlopeWidth_m)) * kStepWidth_m > kStepHeight_m;
 }
 
 std::vector<float> TruthRasters::at_kerbs() const {

@@ -15,11 +15,11 @@ namespace {
 
 using namespace urban;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Bend bend(Random& random, double least, double most, double length_m) {
   const double amplitude = random.uniform(least, most);
-  return {amplitude, length_m, random.uniform(0.0, 2.0 * kPi)};
+  return {amplitude, length_m, random.uniform(0.0, 2.0 * pi)};
 }
 
 void park_cars(SceneBuilder& town, const Street& street, double side) {
@@ -30,7 +30,7 @@ void park_cars(SceneBuilder& town, const Street& street, double side) {
     const double d = side * (kLanesEdge_m + random.uniform(0.95, 1.15));
     if (!street.has_parking(s - 3.0, d) || !street.has_parking(s + 3.0, d)) continue;
     if (random.chance(0.3)) continue;
-    const double turn = (side < 0.0 ? 0.0 : kPi) + random.uniform(-0.03, 0.03);
+    const double turn = (side < 0.0 ? 0.0 : pi) + random.uniform(-0.03, 0.03);
     const bool lorry = random.chance(0.03);
     if (lorry) s += 4.0;
     const std::uint16_t instance = town.next_instance();
@@ -107,17 +107,17 @@ void line_side_street(SceneBuilder& town, const Junction& junction) {
   for (const double turn : {-1.0, 1.0}) {
     const double beside = junction.s + turn * (kSideStreet_m + kPavement_m + 0.4);
     town.place(make_hedge(30.0, 0.7, 1.5), {beside, junction.side * 14.0},
-               junction.side * kPi / 2.0);
+               junction.side * pi / 2.0);
     Random random = town.next_random();
     town.place(make_sign(random),
                {junction.s + turn * (kSideStreet_m + 0.5), junction.side * (kKerb_m + 1.0)});
     const double car = random.uniform(20.0, 40.0);
     town.place(make_car(random, label::kCar, town.next_instance()),
-               {junction.s - turn * 1.9, junction.side * car}, junction.side * kPi / 2.0);
+               {junction.s - turn * 1.9, junction.side * car}, junction.side * pi / 2.0);
     const bool inward = turn * junction.side < 0.0;
     town.place(make_building(random, 13.0, 10.0, 9.0),
                {junction.s + turn * 10.0, junction.side * (inward ? 33.0 : 20.0)},
-               (inward ? -junction.side : junction.side) * kPi / 2.0);
+               (inward ? -junction.side : junction.side) * pi / 2.0);
   }
 }
 

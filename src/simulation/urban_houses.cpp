@@ -7,7 +7,8 @@
 namespace groundgrid::simulation::urban {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr double kParkDepth_m = 16.0;
 constexpr double kBehindDrive_m = 5.2;  // From the beginning of a lot.
 constexpr float kFenceDensity = 12.0F;
@@ -80,7 +81,7 @@ void use_yard(SceneBuilder& town, double s, double side, double depth_m) {
   Random random = town.next_random();
   if (depth_m > 4.5 && random.chance(0.5))
     town.place(make_car(random, label::kCar, town.next_instance()),
-               {s + kDrive_m, side * (kGardens_m + 2.7)}, side * kPi / 2.0);
+               {s + kDrive_m, side * (kGardens_m + 2.7)}, side * pi / 2.0);
   for (int i = 0; i < 3; ++i) {
     const double along = random.uniform(kBehindDrive_m, kLot_m - 2.0);
     const double before = random.uniform(0.3, 0.8);
@@ -98,7 +99,7 @@ void build_house(SceneBuilder& town, double s, double side, double depth_m) {
   const double size = random.uniform(8.0, 12.0);
   const double height = random.uniform(5.5, 13.0);
   const double front = side * (kGardens_m + 0.3 + depth_m);
-  const double turn = side < 0.0 ? 0.0 : kPi;
+  const double turn = side < 0.0 ? 0.0 : pi;
   const double first = side < 0.0 ? s + 1.0 : s + 1.0 + length;
   town.place(make_building(random, length, size, height), {first, front}, turn);
   const int steps = static_cast<int>(random.uniform(1.0, 5.0));

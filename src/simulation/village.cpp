@@ -11,12 +11,13 @@
 namespace groundgrid::simulation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLane_m = 1.2;
-constexpr double kRoad_m = 2.9;  // Half the width, to the kerb.
-constexpr double kWall_m = 4.4;  // The middle of the walls along the street.
+using std::numbers::pi;
+
+constexpr double kVillageLane_m = 1.2;
+constexpr double kVillageRoad_m = 2.9;  // Half the width, to the kerb.
+constexpr double kWall_m = 4.4;         // The middle of the walls along the street.
 constexpr double kWallDepth_m = 0.6;
-constexpr double kLot_m = 15.0;
+constexpr double kVillageLot_m = 15.0;
 constexpr double kStairs_m = 1.3;  // Their width, at the beginning of a lot.
 constexpr double kTread_m = 0.32;
 constexpr double kRise_m = 0.17;
@@ -32,14 +33,14 @@ struct Lot {
   double above_m = 0.0;  ///< The level of the garden over that of the street at its middle.
   bool stairs = false;
   bool side_street = false;
-  [[nodiscard]] double middle() const { return first_s + kLot_m / 2.0; }
+  [[nodiscard]] double middle() const { return first_s + kVillageLot_m / 2.0; }
 };
 
 Lot lot_at(double s, double d, std::uint64_t seed) {
-  const double index = std::floor(s / kLot_m);
+  const double index = std::floor(s / kVillageLot_m);
   Random random(hash({seed, 300, static_cast<std::uint64_t>(static_cast<std::int64_t>(index)),
                       d < 0.0 ? 0U : 1U}));
-  Lot lot{.first_s = index * kLot_m, .side_street = random.chance(0.2)};
+  Lot lot{.first_s = index * kVillageLot_m, .side_street = random.chance(0.2)};
   // Uphill on the left, downhill on the right.
   lot.above_m = d < 0.0 ? -random.uniform(0.4, 1.7) : random.uniform(0.6, 2.2);
   lot.stairs = !lot.side_street && random.chance(0.5);
@@ -54,10 +55,10 @@ class Village {
   Ground operator()(const Eigen::Vector2d& place) const {
     const Station at = path_->project(place);
     const double beside = std::abs(at.d);
-    const double road = street(at.s) - 0.02 * std::min(beside, kRoad_m);
+    const double road = street(at.s) - 0.02 * std::min(beside, kVillageRoad_m);
     const double cobbles = 0.005 * bumps(place, 0.7, seed_);
-    if (beside < kRoad_m) return {road + cobbles, label::kRoad, 0.0};
-    const double pavement = road + 0.1 * smooth_step(kRoad_m, kRoad_m + 0.08, beside);
+    if (beside < kVillageRoad_m) return {road + cobbles, label::kRoad, 0.0};
+    const double pavement = road + 0.1 * smooth_step(kVillageRoad_m, kVillageRoad_m + 0.08, beside);
     if (beside < kWall_m) return {pavement, label::kSidewalk, 0.0};
     const double lane = street(at.s) + std::copysign(kOtherLaneAbove_m, at.d);
     if (beside > kOtherLane_m) return hillside(at, lane, place);
@@ -72,8 +73,8 @@ class Village {
  private:
   static std::vector<Wave> waves(std::uint64_t seed) {
     Random random(hash({seed, 100}));
-    return {{8.0, {2.0 * kPi / 360.0, 0.0}, kPi},
-            {0.4, {2.0 * kPi / 90.0, 0.01}, random.uniform(0.0, 2.0 * kPi)}};
+    return {{8.0, {2.0 * pi / 360.0, 0.0}, pi},
+            {0.4, {2.0 * pi / 90.0, 0.01}, random.uniform(0.0, 2.0 * pi)}};
   }
 
   [[nodiscard]] double street(double s) const { return relief_.height(path_->point({s, 0.0})); }
@@ -143,25 +144,25 @@ void wall_lot(SceneBuilder& place, const Lot& lot, const Lot& before, double sid
     build_wall(place, {lot.first_s, street}, {lot.first_s, side * kOtherLane_m}, 0.4);
   if (lot.side_street) return;
   const double from = lot.first_s + (lot.stairs ? kStairs_m : 0.0);
-  build_wall(place, {from, street}, {lot.first_s + kLot_m, street}, parapet);
+  build_wall(place, {from, street}, {lot.first_s + kVillageLot_m, street}, parapet);
   if (lot.stairs) build_wall(place, {from, street}, {from, side * (kWall_m + 4.5)}, 0.3);
 }
 
 void build_house(SceneBuilder& place, const Lot& lot, double side) {
   Random random = place.next_random();
   const double front = side * (kWall_m + random.uniform(2.5, 5.0));
-  const double length = random.uniform(9.0, kLot_m - 4.0);
+  const double length = random.uniform(9.0, kVillageLot_m - 4.0);
   const double start = lot.first_s + 3.0;
   const double height = random.uniform(5.0, 8.5);
   if (random.chance(0.85))
     place.place(make_building(random, length, 9.0, height),
-                {side < 0.0 ? start : start + length, front}, side < 0.0 ? 0.0 : kPi);
+                {side < 0.0 ? start : start + length, front}, side < 0.0 ? 0.0 : pi);
 }
 
 void plant_garden(SceneBuilder& place, const Lot& lot, double side) {
   Random random = place.next_random();
   const auto somewhere = [&](double least, double most) {
-    const double s = lot.first_s + random.uniform(2.5, kLot_m - 1.0);
+    const double s = lot.first_s + random.uniform(2.5, kVillageLot_m - 1.0);
     return Station{s, side * (kWall_m + random.uniform(least, most))};
   };
   for (int i = 0; i < 4; ++i)
@@ -173,7 +174,7 @@ void plant_garden(SceneBuilder& place, const Lot& lot, double side) {
     place.place(make_hedge(6.0, 0.8, random.uniform(1.0, 1.8)),
                 {lot.first_s + 6.0, side * (kWall_m + 0.8)});
   // Climbers and pots in front of the wall.
-  for (const double s : every(2.2, kStairs_m + 0.8, kLot_m - 1.0))
+  for (const double s : every(2.2, kStairs_m + 0.8, kVillageLot_m - 1.0))
     if (random.chance(0.5))
       place.place(make_bush(place.next_random(), {0.25, 0.4}, {0.5, 1.8}),
                   {lot.first_s + s, side * (kWall_m - 0.4)});
@@ -181,8 +182,8 @@ void plant_garden(SceneBuilder& place, const Lot& lot, double side) {
 
 void furnish_side_street(SceneBuilder& place, const Lot& lot, double side) {
   Random random = place.next_random();
-  for (const double s : {2.6, kLot_m - 2.6}) {
-    const double turn = random.chance(0.5) ? kPi / 2.0 : -kPi / 2.0;
+  for (const double s : {2.6, kVillageLot_m - 2.6}) {
+    const double turn = random.chance(0.5) ? pi / 2.0 : -pi / 2.0;
     const Station at{lot.first_s + s, side * random.uniform(9.0, 16.0)};
     if (random.chance(0.6))
       place.park(make_car(place.next_random(), label::kCar, place.next_instance()), at, turn);
@@ -196,12 +197,12 @@ void add_people(SceneBuilder& place) {
     Random random = place.next_random();
     const double side = random.chance(0.5) ? 1.0 : -1.0;
     place.add_mover(make_person(random, label::kMovingPerson, place.next_instance()),
-                    {s, side * (kRoad_m + 0.55)}, random.chance(0.5) ? 1.2 : -1.2);
-    place.place(make_pole(5.0, 0.07), {s + 9.0, -side * (kRoad_m + 0.25)});
+                    {s, side * (kVillageRoad_m + 0.55)}, random.chance(0.5) ? 1.2 : -1.2);
+    place.place(make_pole(5.0, 0.07), {s + 9.0, -side * (kVillageRoad_m + 0.25)});
   }
 }
 
-void add_traffic(SceneBuilder& place) {
+void add_village_traffic(SceneBuilder& place) {
   for (const double s : every(120.0, 70.0, 2.0 * place.path().last())) {
     place.add_mover(
         make_cyclist(place.next_random(), label::kMovingBicyclist, place.next_instance()), {s, 2.5},
@@ -216,14 +217,14 @@ void add_traffic(SceneBuilder& place) {
 Scene make_village(std::uint64_t seed, double length_m) {
   Random random(hash({seed, 1}));
   SceneBuilder place(seed,
-                     {{random.uniform(0.12, 0.2), 140.0, random.uniform(0.0, 2.0 * kPi)},
-                      {0.04, 60.0, random.uniform(0.0, 2.0 * kPi)}},
+                     {{random.uniform(0.12, 0.2), 140.0, random.uniform(0.0, 2.0 * pi)},
+                      {0.04, 60.0, random.uniform(0.0, 2.0 * pi)}},
                      length_m);
   place.set_ground(Village(place.shared_path(), seed));
-  place.set_lane(-kLane_m);
-  const double first_lot = std::ceil(place.path().first() / kLot_m) * kLot_m;
+  place.set_lane(-kVillageLane_m);
+  const double first_lot = std::ceil(place.path().first() / kVillageLot_m) * kVillageLot_m;
   for (const double side : {-1.0, 1.0})
-    for (const double s : every(kLot_m, first_lot, place.path().last() - kLot_m)) {
+    for (const double s : every(kVillageLot_m, first_lot, place.path().last() - kVillageLot_m)) {
       const Lot lot = lot_at(s + 1.0, side, seed);
       wall_lot(place, lot, lot_at(s - 1.0, side, seed), side);
       if (lot.side_street) {
@@ -234,7 +235,7 @@ Scene make_village(std::uint64_t seed, double length_m) {
       }
     }
   add_people(place);
-  add_traffic(place);
+  add_village_traffic(place);
   return place.finish();
 }
 

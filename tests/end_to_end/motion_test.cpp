@@ -18,9 +18,9 @@ using testing::Score;
 using testing::SimulatedScan;
 using testing::SpinningSensor;
 
-const Eigen::Isometry3d kRoofMount = pose(0.0, 0.0, 1.75);
+const Eigen::Isometry3d kOnRoof = pose(0.0, 0.0, 1.75);
 
-Scene road() {
+Scene parked_road() {
   Scene scene;
   scene.boxes = {{{12.0, -8.0, -1.0}, {16.0, -6.0, 1.5}}, {{-40.0, 12.0, -1.0}, {60.0, 13.0, 4.0}}};
   return scene;
@@ -58,10 +58,10 @@ Errors drive(bool corrected) {
     for (int sensor = 0; sensor < 2; ++sensor) {
       SpinningSensor spinning;
       spinning.first_azimuth_deg = 180.0 * sensor;
-      simulated[sensor] = cast_scan(road(), spinning, begin, end, kRoofMount,
+      simulated[sensor] = cast_scan(parked_road(), spinning, begin, end, kOnRoof,
                                     static_cast<unsigned>(2 * i + sensor));
       scans[sensor].points = simulated[sensor].view();
-      scans[sensor].T_base_sensor = kRoofMount;
+      scans[sensor].T_base_sensor = kOnRoof;
       scans[sensor].time_end = 0.1;
     }
     const ScanResult result =
@@ -87,10 +87,10 @@ TEST(Motion, CorrectionGivesTheRightTerrain) {
   const auto worst_height = [](bool corrected) {
     const Eigen::Isometry3d begin = pose_at(0.0);
     const Eigen::Isometry3d end = pose_at(0.1);
-    const SimulatedScan simulated = cast_scan({}, {}, begin, end, kRoofMount, 1);
+    const SimulatedScan simulated = cast_scan({}, {}, begin, end, kOnRoof, 1);
     SensorScan scan;
     scan.points = simulated.view();
-    scan.T_base_sensor = kRoofMount;
+    scan.T_base_sensor = kOnRoof;
     scan.time_end = 0.1;
     const std::span<const SensorScan> scans(&scan, 1);
     GroundGrid grid;
@@ -110,10 +110,10 @@ TEST(Motion, CorrectionGivesTheRightTerrain) {
 TEST(Motion, ObstaclesStayObstacles) {
   const Eigen::Isometry3d begin = pose_at(0.0);
   const Eigen::Isometry3d end = pose_at(0.1);
-  const SimulatedScan simulated = cast_scan(road(), {}, begin, end, kRoofMount, 1);
+  const SimulatedScan simulated = cast_scan(parked_road(), {}, begin, end, kOnRoof, 1);
   SensorScan scan;
   scan.points = simulated.view();
-  scan.T_base_sensor = kRoofMount;
+  scan.T_base_sensor = kOnRoof;
   scan.time_end = 0.1;
   GroundGrid grid;
   const Score score =
@@ -124,10 +124,10 @@ TEST(Motion, ObstaclesStayObstacles) {
 TEST(Motion, AVehicleAtRestGivesTheSameWithAndWithout) {
   const Eigen::Isometry3d rest = pose(0.0, 0.0, 0.0);
   const Eigen::Isometry3d same = rest;
-  const SimulatedScan simulated = cast_scan(road(), {}, rest, kRoofMount, 1);
+  const SimulatedScan simulated = cast_scan(parked_road(), {}, rest, kOnRoof, 1);
   SensorScan scan;
   scan.points = simulated.view();
-  scan.T_base_sensor = kRoofMount;
+  scan.T_base_sensor = kOnRoof;
   scan.time_end = 0.1;
   GroundGrid with;
   GroundGrid without;

@@ -17,7 +17,7 @@ using testing::Scene;
 using testing::Score;
 using testing::SimulatedScan;
 
-Scene road() {
+Scene narrow_road() {
   Scene scene;
   scene.boxes = {{{10.0, -1.0, -1.0}, {14.0, 1.0, 2.0}},
                  {{3.0, 3.0, -1.0}, {7.0, 5.0, 1.9}},
@@ -49,7 +49,7 @@ TEST(Sensors, TiltedMounting) {
        {std::pair(5.0, 0.0), std::pair(-5.0, 0.0), std::pair(5.0, 4.0)}) {
     const Eigen::Isometry3d mounting = tilted(pitch, roll);
     const SimulatedScan simulated =
-        cast_scan(road(), {}, Eigen::Isometry3d::Identity(), mounting, 1);
+        cast_scan(narrow_road(), {}, Eigen::Isometry3d::Identity(), mounting, 1);
     SensorScan scan;
     scan.points = simulated.view();
     scan.T_base_sensor = mounting;
@@ -75,8 +75,8 @@ struct TwoSensors {
 
   explicit TwoSensors(const Eigen::Isometry3d& T_map_base, unsigned seed) {
     for (int i = 0; i < 2; ++i) {
-      simulated[i] =
-          cast_scan(road(), {}, T_map_base, mountings[i], 2 * seed + static_cast<unsigned>(i));
+      simulated[i] = cast_scan(narrow_road(), {}, T_map_base, mountings[i],
+                               2 * seed + static_cast<unsigned>(i));
       scans[i].points = simulated[i].view();
       scans[i].T_base_sensor = mountings[i];
     }

@@ -73,7 +73,8 @@ TEST(PathDistance, IsThatOfTheNearestCellOnThePath) {
 }
 
 TEST(PathDistance, FollowsAPathThatLeavesAndComesBack) {
-  const std::vector<LatticePoint> path{{-1e6, 0.5}, {1e300, 0.5}, {0.5, 2.5}, {NAN, 3.0}};
+  const std::vector<LatticePoint> path{
+      {-1e6, 0.5}, {1e300, 0.5}, {0.5, 2.5}, {std::numeric_limits<double>::quiet_NaN(), 3.0}};
   const CellLattice lattice{3, 3, 1.0, 1.0};
   EXPECT_EQ(path_distance(path, lattice)[lattice.index(0, 2)], 0.0F);
 }

@@ -252,12 +252,12 @@ TEST(PcdHeader, MustHaveTheCoordinates) {
       "expected every field once, got 'x' twice"));
 }
 
-struct WrongHeader {
+struct WrongPcdHeader {
   std::string header;
   std::string message;
 };
 
-class PcdWrongHeader : public ::testing::TestWithParam<WrongHeader> {};
+class PcdWrongHeader : public ::testing::TestWithParam<WrongPcdHeader> {};
 
 TEST_P(PcdWrongHeader, IsNamedWithItsLine) {
   EXPECT_TRUE(contains(error_in_pcd(GetParam().header), GetParam().message));
@@ -266,46 +266,51 @@ TEST_P(PcdWrongHeader, IsNamedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Pcd, PcdWrongHeader,
     ::testing::Values(
-        WrongHeader{"", "line 1: expected a PCD header that ends with the line DATA, got the end"},
-        WrongHeader{"VERSION 0.7\nFIELDS x y z\n", "line 3: expected a PCD header"},
-        WrongHeader{"ply\nformat ascii 1.0\n",
-                    "line 1: expected a line of a PCD header (VERSION, FIELDS, SIZE, TYPE, COUNT, "
-                    "WIDTH, HEIGHT, VIEWPOINT, POINTS, DATA), got 'ply'; if the file has another "
-                    "format, say which with --format"},
-        WrongHeader{"\x01\xff\n", "got '\?\?'"},
-        WrongHeader{std::string(70000, 'x'),
-                    "line 1: expected a header's line of at most 65536 bytes, got a longer one"},
-        WrongHeader{"VERSION 1.0\nDATA ascii\n",
-                    "line 1: expected VERSION 0.7 or one before it, "
-                    "got '1.0'; convert the file"},
-        WrongHeader{"VERSION\nDATA ascii\n", "line 1: expected one word after VERSION, got 0"},
-        WrongHeader{"WIDTH 1\nDATA ascii\n",
-                    "scan: expected a line FIELDS in the header, got none"},
-        WrongHeader{"FIELDS x y z\nDATA ascii\n", "expected a line SIZE"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nDATA ascii\n", "expected a line TYPE"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4\nTYPE F F F\nDATA ascii\n",
-                    "line 2: expected 3 words after SIZE, one for each of FIELDS, got 2"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 2\nTYPE F F F\nDATA ascii\n",
-                    "line 3: expected I or U of SIZE 1, 2, 4 or 8, or F of SIZE 4 or 8, got TYPE "
-                    "'F' of SIZE '2' for 'z'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 -4\nTYPE F F F\nDATA ascii\n", "SIZE '-4' for 'z'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F B\nDATA ascii\n", "TYPE 'B' of SIZE '4'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 0\nDATA ascii\n",
-                    "line 4: expected a COUNT from 1 to 4294967295, got '0' for 'z'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 18446744073709551615\n"
-                    "DATA ascii\n",
-                    "got '18446744073709551615' for 'z'"},
-        WrongHeader{"WIDTH 1\nWIDTH 2\n", "line 2: expected one line WIDTH, got a second one"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH -1\nDATA ascii\n",
-                    "line 4: expected a whole number after WIDTH, got '-1'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH many\nDATA ascii\n", "got 'many'"},
-        WrongHeader{
+        WrongPcdHeader{"",
+                       "line 1: expected a PCD header that ends with the line DATA, got the end"},
+        WrongPcdHeader{"VERSION 0.7\nFIELDS x y z\n", "line 3: expected a PCD header"},
+        WrongPcdHeader{
+            "ply\nformat ascii 1.0\n",
+            "line 1: expected a line of a PCD header (VERSION, FIELDS, SIZE, TYPE, COUNT, "
+            "WIDTH, HEIGHT, VIEWPOINT, POINTS, DATA), got 'ply'; if the file has another "
+            "format, say which with --format"},
+        WrongPcdHeader{"\x01\xff\n", "got '\?\?'"},
+        WrongPcdHeader{std::string(70000, 'x'),
+                       "line 1: expected a header's line of at most 65536 bytes, got a longer one"},
+        WrongPcdHeader{"VERSION 1.0\nDATA ascii\n",
+                       "line 1: expected VERSION 0.7 or one before it, "
+                       "got '1.0'; convert the file"},
+        WrongPcdHeader{"VERSION\nDATA ascii\n", "line 1: expected one word after VERSION, got 0"},
+        WrongPcdHeader{"WIDTH 1\nDATA ascii\n",
+                       "scan: expected a line FIELDS in the header, got none"},
+        WrongPcdHeader{"FIELDS x y z\nDATA ascii\n", "expected a line SIZE"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nDATA ascii\n", "expected a line TYPE"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4\nTYPE F F F\nDATA ascii\n",
+                       "line 2: expected 3 words after SIZE, one for each of FIELDS, got 2"},
+        WrongPcdHeader{
+            "FIELDS x y z\nSIZE 4 4 2\nTYPE F F F\nDATA ascii\n",
+            "line 3: expected I or U of SIZE 1, 2, 4 or 8, or F of SIZE 4 or 8, got TYPE "
+            "'F' of SIZE '2' for 'z'"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 -4\nTYPE F F F\nDATA ascii\n", "SIZE '-4' for 'z'"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F B\nDATA ascii\n",
+                       "TYPE 'B' of SIZE '4'"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 0\nDATA ascii\n",
+                       "line 4: expected a COUNT from 1 to 4294967295, got '0' for 'z'"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 18446744073709551615\n"
+                       "DATA ascii\n",
+                       "got '18446744073709551615' for 'z'"},
+        WrongPcdHeader{"WIDTH 1\nWIDTH 2\n", "line 2: expected one line WIDTH, got a second one"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH -1\nDATA ascii\n",
+                       "line 4: expected a whole number after WIDTH, got '-1'"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH many\nDATA ascii\n",
+                       "got 'many'"},
+        WrongPcdHeader{
             "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 18446744073709551616\nDATA ascii\n",
             "got '18446744073709551616'"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nVIEWPOINT 1 2\nDATA ascii\n",
-                    "line 5: expected seven numbers after VIEWPOINT"},
-        WrongHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nDATA zipped\n",
-                    "line 5: expected DATA ascii, binary or binary_compressed, got 'zipped'"}));
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nVIEWPOINT 1 2\nDATA ascii\n",
+                       "line 5: expected seven numbers after VIEWPOINT"},
+        WrongPcdHeader{"FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 0\nDATA zipped\n",
+                       "line 5: expected DATA ascii, binary or binary_compressed, got 'zipped'"}));
 
 TEST(PcdFile, IsNoDirectory) {
   const test::TemporaryFolder folder;

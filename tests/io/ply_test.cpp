@@ -191,12 +191,12 @@ TEST(PlyFile, HasNoListsInItsVertices) {
                        "list 'neighbours'; write the file without it"));
 }
 
-struct WrongHeader {
+struct WrongPlyHeader {
   std::string header;
   std::string message;
 };
 
-class PlyWrongHeader : public ::testing::TestWithParam<WrongHeader> {};
+class PlyWrongHeader : public ::testing::TestWithParam<WrongPlyHeader> {};
 
 TEST_P(PlyWrongHeader, IsNamedWithItsLine) {
   EXPECT_TRUE(contains(error(GetParam().header), GetParam().message));
@@ -205,50 +205,54 @@ TEST_P(PlyWrongHeader, IsNamedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Ply, PlyWrongHeader,
     ::testing::Values(
-        WrongHeader{"",
-                    "line 1: expected a PLY header that ends with the line end_header, got the "
-                    "end of the file"},
-        WrongHeader{"ply\nformat ascii 1.0\n", "line 3: expected a PLY header that ends"},
-        WrongHeader{"# .PCD v0.7\n",
-                    "line 1: expected the word 'ply' alone in the first line, got "
-                    "'# .PCD v0.7'; if the file has another format, say which "
-                    "with --format"},
-        WrongHeader{"ply" + std::string(70000, 'x'), "line 1: expected a header's line of at most"},
-        WrongHeader{"ply\nend_header\n",
-                    "line 2: expected a line 'format' in the header, got none"},
-        WrongHeader{"ply\nformat ascii 1.0\nformat ascii 1.0\n",
-                    "line 3: expected one line 'format', got a second one"},
-        WrongHeader{"ply\nformat ascii 2.0\n",
-                    "line 2: expected format ascii, binary_little_endian or binary_big_endian 1.0, "
-                    "got 'format ascii 2.0'"},
-        WrongHeader{"ply\nformat\n", "line 2: expected format ascii"},
-        WrongHeader{"ply\nvertex 3\n",
-                    "line 2: expected a line of a PLY header (format, element, "
-                    "property, comment, obj_info, end_header), got 'vertex'"},
-        WrongHeader{
+        WrongPlyHeader{"",
+                       "line 1: expected a PLY header that ends with the line end_header, got the "
+                       "end of the file"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\n", "line 3: expected a PLY header that ends"},
+        WrongPlyHeader{"# .PCD v0.7\n",
+                       "line 1: expected the word 'ply' alone in the first line, got "
+                       "'# .PCD v0.7'; if the file has another format, say which "
+                       "with --format"},
+        WrongPlyHeader{"ply" + std::string(70000, 'x'),
+                       "line 1: expected a header's line of at most"},
+        WrongPlyHeader{"ply\nend_header\n",
+                       "line 2: expected a line 'format' in the header, got none"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\nformat ascii 1.0\n",
+                       "line 3: expected one line 'format', got a second one"},
+        WrongPlyHeader{
+            "ply\nformat ascii 2.0\n",
+            "line 2: expected format ascii, binary_little_endian or binary_big_endian 1.0, "
+            "got 'format ascii 2.0'"},
+        WrongPlyHeader{"ply\nformat\n", "line 2: expected format ascii"},
+        WrongPlyHeader{"ply\nvertex 3\n",
+                       "line 2: expected a line of a PLY header (format, element, "
+                       "property, comment, obj_info, end_header), got 'vertex'"},
+        WrongPlyHeader{
             "ply\nelement vertex -3\n",
             "line 2: expected 'element', a name and a whole number, got 'element vertex -3'"},
-        WrongHeader{"ply\nelement vertex 18446744073709551616\n", "line 2: expected 'element'"},
-        WrongHeader{"ply\nelement vertex\n", "line 2: expected 'element'"},
-        WrongHeader{"ply\nproperty float x\n",
-                    "line 2: expected an element before its properties, got 'property float x'"},
-        WrongHeader{"ply\nelement vertex 1\nproperty half x\n",
-                    "line 3: expected a type of PLY (char, uchar, short, ushort, int, uint, float, "
-                    "double, or int8 to float64), got 'half'"},
-        WrongHeader{"ply\nelement vertex 1\nproperty list uchar x\n",
-                    "line 3: expected 'property', a type and a name, or 'property list', two types "
-                    "and a name"},
-        WrongHeader{"ply\nelement vertex 1\nproperty\n", "line 3: expected 'property'"},
-        WrongHeader{"ply\nformat ascii 1.0\nend_header\n",
-                    "expected an element 'vertex' in the header, got no element"},
-        WrongHeader{"ply\nformat ascii 1.0\nelement point 1\nproperty float x\nend_header\n1\n",
-                    "got the elements 'point'"},
-        WrongHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
-                    "y\nend_header\n1 2\n",
-                    "expected the fields x, y and z, got no z among the fields 'x', 'y'"},
-        WrongHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
-                    "x\nend_header\n1 2\n",
-                    "expected every field once, got 'x' twice"}));
+        WrongPlyHeader{"ply\nelement vertex 18446744073709551616\n", "line 2: expected 'element'"},
+        WrongPlyHeader{"ply\nelement vertex\n", "line 2: expected 'element'"},
+        WrongPlyHeader{"ply\nproperty float x\n",
+                       "line 2: expected an element before its properties, got 'property float x'"},
+        WrongPlyHeader{
+            "ply\nelement vertex 1\nproperty half x\n",
+            "line 3: expected a type of PLY (char, uchar, short, ushort, int, uint, float, "
+            "double, or int8 to float64), got 'half'"},
+        WrongPlyHeader{
+            "ply\nelement vertex 1\nproperty list uchar x\n",
+            "line 3: expected 'property', a type and a name, or 'property list', two types "
+            "and a name"},
+        WrongPlyHeader{"ply\nelement vertex 1\nproperty\n", "line 3: expected 'property'"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\nend_header\n",
+                       "expected an element 'vertex' in the header, got no element"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\nelement point 1\nproperty float x\nend_header\n1\n",
+                       "got the elements 'point'"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                       "y\nend_header\n1 2\n",
+                       "expected the fields x, y and z, got no z among the fields 'x', 'y'"},
+        WrongPlyHeader{"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                       "x\nend_header\n1 2\n",
+                       "expected every field once, got 'x' twice"}));
 
 }  // namespace
 }  // namespace groundgrid::io

@@ -11,7 +11,7 @@
 namespace groundgrid::rendering {
 namespace {
 
-constexpr ImageSize kSize{640, 480};
+constexpr ImageSize kMapSize{640, 480};
 constexpr std::uint8_t kLevel = 180;
 
 // 3 by 2 cells of 10 m: low in the north-west, high in the south-east, one hole in the middle
@@ -44,12 +44,12 @@ Color cell_color(const Image& image, const Rectangle& plot, int column, int row)
 }
 
 Rectangle plot_of(const ColorBar& bar) {
-  return Figure(kSize, {.legend = {{.text = "no data"}}, .bar = bar}).plot();
+  return Figure(kMapSize, {.legend = {{.text = "no data"}}, .bar = bar}).plot();
 }
 
 TEST(TerrainPicture, HasTheColourOfEachHeightNorthUp) {
-  const Image image = draw_terrain_from_above(small_terrain(), kSize);
-  EXPECT_EQ(image.size, kSize);
+  const Image image = draw_terrain_from_above(small_terrain(), kMapSize);
+  EXPECT_EQ(image.size, kMapSize);
   const Rectangle plot = plot_of({&height_colors(), 0.0, 10.0, "height (m)"});
   EXPECT_EQ(cell_color(image, plot, 0, 0), height_colors().at(0.0));
   EXPECT_EQ(cell_color(image, plot, 1, 0), height_colors().at(0.1));
@@ -57,7 +57,7 @@ TEST(TerrainPicture, HasTheColourOfEachHeightNorthUp) {
 }
 
 TEST(TerrainPicture, ShowsHolesAsNoColourOfTheBar) {
-  const Image image = draw_terrain_from_above(small_terrain(), kSize);
+  const Image image = draw_terrain_from_above(small_terrain(), kMapSize);
   const Color hole = cell_color(image, plot_of({&height_colors(), 0.0, 10.0, "height (m)"}), 1, 1);
   EXPECT_EQ(hole.red, hole.green);
   EXPECT_EQ(hole.red, hole.blue);
@@ -74,10 +74,11 @@ TEST(TerrainPicture, SlopesInTheShadeAreDarkerAndThoseInTheSunLighter) {
 TEST(TerrainPicture, DrawsThePathWhereItRuns) {
   TerrainPicture picture = small_terrain();
   picture.path = {{101.0, 15.0, 0.0}, {125.0, 15.0, 0.0}};
-  const Image image = draw_terrain_from_above(picture, kSize);
-  const Rectangle plot = Figure(kSize, {.legend = {{.text = "no data"}},
-                                        .bar = ColorBar{&height_colors(), 0.0, 10.0, "height (m)"}})
-                             .plot();
+  const Image image = draw_terrain_from_above(picture, kMapSize);
+  const Rectangle plot =
+      Figure(kMapSize, {.legend = {{.text = "no data"}},
+                        .bar = ColorBar{&height_colors(), 0.0, 10.0, "height (m)"}})
+          .plot();
   EXPECT_EQ(cell_color(image, plot, 1, 0), kPath);
   EXPECT_NE(cell_color(image, plot, 0, 1), kPath);
 }
@@ -89,7 +90,7 @@ TEST(ErrorPicture, IsBlueWhereTooLowAndRedWhereTooHighAndSaysWhatIsMissing) {
   picture.reference = small_grid();
   picture.reference.heights_m = {1.0F, 1.0F, 1.0F, 1.0F, 1.0F, std::nanf("")};
   picture.limit_m = 0.5;
-  const Image image = draw_errors(picture, kSize);
+  const Image image = draw_errors(picture, kMapSize);
   const Rectangle plot = plot_of({&error_colors(), -0.5, 0.5, "estimate \u2212 reference (m)"});
   EXPECT_EQ(cell_color(image, plot, 0, 0), error_colors().at(0.0));
   EXPECT_EQ(cell_color(image, plot, 1, 0), kWhite);

@@ -12,7 +12,7 @@ namespace {
 
 using test::count_of;
 
-constexpr ImageSize kSize{200, 100};
+constexpr ImageSize kSceneSize{200, 100};
 
 // Looks ahead along x from 10 m behind the origin; the picture is 10 m high there.
 Camera level_camera() {
@@ -30,8 +30,8 @@ TEST(Perspective, ShowsAPointWhereItLies) {
   // 10 pixels a metre at the origin, half of that 10 m behind it.
   const Scene scene{.points = {point(0.0F, 5.0F, 3.0F, kBlue), point(10.0F, -10.0F, 0.0F, kOrange)},
                     .depth_shading = 0.0};
-  const Image image = renderer.draw(scene, level_camera(), kSize);
-  EXPECT_EQ(image.size, kSize);
+  const Image image = renderer.draw(scene, level_camera(), kSceneSize);
+  EXPECT_EQ(image.size, kSceneSize);
   EXPECT_EQ(image.at(50, 20), kBlue) << "left and up";
   EXPECT_EQ(image.at(150, 50), kOrange) << "right and farther away";
   EXPECT_EQ(image.at(100, 50), kWhite);
@@ -44,7 +44,7 @@ TEST(Perspective, PointsAreNeverSmallerThanAskedFor) {
   Vertex speck = point(0.0F, 0.0F, 0.0F, kBlack);
   speck.size_m = 0.001F;
   const Image image = renderer.draw(
-      {.points = {speck}, .least_point_px = 6.0, .depth_shading = 0.0}, level_camera(), kSize);
+      {.points = {speck}, .least_point_px = 6.0, .depth_shading = 0.0}, level_camera(), kSceneSize);
   EXPECT_GT(count_of(image, kBlack), 12U);
 }
 
@@ -54,7 +54,7 @@ TEST(Perspective, WhatIsNearerHidesWhatIsBehind) {
   const Vertex far = point(1.0F, 0.0F, 0.0F, kOrange);
   for (const auto& points : {std::vector{near, far}, std::vector{far, near}}) {
     const Image image =
-        renderer.draw({.points = points, .depth_shading = 0.0}, level_camera(), kSize);
+        renderer.draw({.points = points, .depth_shading = 0.0}, level_camera(), kSceneSize);
     EXPECT_EQ(image.at(100, 50), kBlue);
     EXPECT_EQ(count_of(image, kOrange), 0U);
   }
@@ -67,7 +67,7 @@ TEST(Perspective, TrianglesAreFilled) {
                                  point(0.0F, -2.0F, 2.0F, kBlue)},
                      .triangles = {0, 1, 2},
                      .depth_shading = 0.0},
-                    level_camera(), kSize);
+                    level_camera(), kSceneSize);
   EXPECT_NEAR(static_cast<double>(count_of(image, kBlue)), 800.0, 60.0);
   EXPECT_EQ(image.at(110, 60), kBlue);
   EXPECT_EQ(image.at(90, 40), kWhite);
@@ -79,7 +79,7 @@ TEST(Perspective, DepthShadingDarkensWhatLiesBehindAnEdgeOnly) {
   wall.size_m = 12.0F;
   const Image image =
       renderer.draw({.points = {wall, point(-3.0F, 0.0F, 0.0F, kBlue)}, .depth_shading = 1.0},
-                    level_camera(), kSize);
+                    level_camera(), kSceneSize);
   EXPECT_EQ(image.at(100, 50), kBlue);
   EXPECT_EQ(image.at(100, 20), kYellow) << "far from the edge";
   // The blue disc has a radius of 5 / 0.7 pixels.
@@ -88,8 +88,8 @@ TEST(Perspective, DepthShadingDarkensWhatLiesBehindAnEdgeOnly) {
 
 TEST(Perspective, IsTheSameTwice) {
   const Scene scene{.points = {point(0.0F, 1.0F, 1.0F, kBlue), point(4.0F, -2.0F, 0.3F, kOrange)}};
-  EXPECT_EQ(PerspectiveRenderer().draw(scene, level_camera(), kSize).pixels,
-            PerspectiveRenderer().draw(scene, level_camera(), kSize).pixels);
+  EXPECT_EQ(PerspectiveRenderer().draw(scene, level_camera(), kSceneSize).pixels,
+            PerspectiveRenderer().draw(scene, level_camera(), kSceneSize).pixels);
 }
 
 TEST(ViewPoint, LooksWhereItIsSaid) {

@@ -14,7 +14,7 @@
 namespace groundgrid::rendering {
 namespace {
 
-constexpr ImageSize kSize{600, 600};
+constexpr ImageSize kScanSize{600, 600};
 
 // One point of each group, far from each other and from the words.
 struct SmallScan {
@@ -35,14 +35,14 @@ struct SmallScan {
 
 // Where the picture of the scan shows a point: x ahead is up, y to the left is left.
 std::array<int, 2> pixel_of_point(double x_m, double y_m) {
-  const Rectangle plot = Figure(kSize, {.legend = legend_of(SmallScan().picture())}).plot();
+  const Rectangle plot = Figure(kScanSize, {.legend = legend_of(SmallScan().picture())}).plot();
   const double scale = std::min(plot.width, plot.height) / 80.0;
   return {static_cast<int>(plot.middle().x - scale * y_m),
           static_cast<int>(plot.middle().y - scale * x_m)};
 }
 
 TEST(ScanPicture, ShowsEveryPointInTheColourOfItsGroupWhereItLies) {
-  const Image image = draw_scan_from_above(SmallScan().picture(), kSize);
+  const Image image = draw_scan_from_above(SmallScan().picture(), kScanSize);
   const auto ahead = pixel_of_point(20.0, 0.0);
   const auto left = pixel_of_point(0.0, 10.0);
   const auto behind_right = pixel_of_point(-10.0, -10.0);
@@ -59,18 +59,19 @@ TEST(ScanPicture, DrawsLaterGroupsOverEarlierOnes) {
   scan.coordinates = {20.0F, 0.0F, 0.0F, 20.0F, 0.0F, 0.0F, 20.0F, 0.0F, 0.0F};
   std::rotate(scan.group.begin(), scan.group.begin() + 2, scan.group.end());
   const auto place = pixel_of_point(20.0, 0.0);
-  EXPECT_EQ(draw_scan_from_above(scan.picture(), kSize).at(place[0], place[1]), kBlue);
+  EXPECT_EQ(draw_scan_from_above(scan.picture(), kScanSize).at(place[0], place[1]), kBlue);
 }
 
 TEST(ScanPicture, PointsThatAreNoNumbersOrFarAwayAreNotDrawn) {
   SmallScan scan;
   scan.coordinates = {std::nanf(""), 0.0F, 0.0F, 0.0F, 1e30F, 0.0F, 300.0F, 0.0F, 0.0F};
-  const Image image = draw_scan_from_above(scan.picture(), kSize);
+  const Image image = draw_scan_from_above(scan.picture(), kScanSize);
   const Image empty = draw_scan_from_above(
-      {.coordinates = {}, .group = {}, .styles = scan.picture().styles, .range_m = 40.0}, kSize);
-  const Rectangle plot = Figure(kSize, {.legend = legend_of(scan.picture())}).plot();
+      {.coordinates = {}, .group = {}, .styles = scan.picture().styles, .range_m = 40.0},
+      kScanSize);
+  const Rectangle plot = Figure(kScanSize, {.legend = legend_of(scan.picture())}).plot();
   for (int y = 0; y < static_cast<int>(plot.bottom()); ++y)
-    for (int x = 0; x < kSize.width; ++x) ASSERT_EQ(image.at(x, y), empty.at(x, y));
+    for (int x = 0; x < kScanSize.width; ++x) ASSERT_EQ(image.at(x, y), empty.at(x, y));
 }
 
 TEST(ScanPicture, TheLegendTellsTheShareOfEachGroup) {
@@ -86,14 +87,14 @@ TEST(ScanPicture, TheLegendTellsTheShareOfEachGroup) {
 }
 
 TEST(ScanPicture, IsTheSameTwice) {
-  EXPECT_EQ(draw_scan_from_above(SmallScan().picture(), kSize).pixels,
-            draw_scan_from_above(SmallScan().picture(), kSize).pixels);
+  EXPECT_EQ(draw_scan_from_above(SmallScan().picture(), kScanSize).pixels,
+            draw_scan_from_above(SmallScan().picture(), kScanSize).pixels);
 }
 
 TEST(ScanPicture, NeedsAGroupForEachPoint) {
   SmallScan scan;
   scan.group.pop_back();
-  EXPECT_THROW((void)draw_scan_from_above(scan.picture(), kSize), std::invalid_argument);
+  EXPECT_THROW((void)draw_scan_from_above(scan.picture(), kScanSize), std::invalid_argument);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace groundgrid::rendering {
 namespace {
 
-constexpr ImageSize kSize{600, 450};
+constexpr ImageSize kViewSize{600, 450};
 
 // Pixels of a colour left and right of the middle, and the mean row of all of them.
 struct Sides {
@@ -33,11 +33,11 @@ Sides sides_of(const Image& image, Color color) {
 }
 
 // A wall 10 m to the left, and ground 20 m ahead and 8 m to the right.
-struct SmallScan {
+struct WallAndGround {
   std::vector<float> coordinates{};
   std::vector<std::uint8_t> group{};
 
-  SmallScan() {
+  WallAndGround() {
     for (int i = 0; i < 400; ++i) add(0.05F * static_cast<float>(i), 10.0F, 0.0F, 1);
     for (int i = 0; i < 400; ++i) add(20.0F, -8.0F - 0.01F * static_cast<float>(i), -1.7F, 0);
     add(std::nanf(""), 0.0F, 0.0F, 1);
@@ -55,8 +55,8 @@ struct SmallScan {
 
 TEST(ScanView, LooksAheadFromBehind) {
   const Image image =
-      draw_scan_in_perspective(PerspectiveRenderer(), SmallScan().picture(), {}, kSize);
-  EXPECT_EQ(image.size, kSize);
+      draw_scan_in_perspective(PerspectiveRenderer(), WallAndGround().picture(), {}, kViewSize);
+  EXPECT_EQ(image.size, kViewSize);
   const Sides wall = sides_of(image, kVermilion);
   EXPECT_GT(wall.left, 50U);
   EXPECT_EQ(wall.right, 0U);
@@ -66,16 +66,16 @@ TEST(ScanView, LooksAheadFromBehind) {
 }
 
 TEST(ScanView, LooksBackWhereAsked) {
-  const Image image = draw_scan_in_perspective(PerspectiveRenderer(), SmallScan().picture(),
-                                               {.azimuth_deg = 180.0}, kSize);
+  const Image image = draw_scan_in_perspective(PerspectiveRenderer(), WallAndGround().picture(),
+                                               {.azimuth_deg = 180.0}, kViewSize);
   EXPECT_GT(sides_of(image, kVermilion).right, 50U);
   EXPECT_EQ(sides_of(image, kVermilion).left, 0U);
 }
 
 TEST(ScanView, NeedsAGroupForEachPoint) {
-  SmallScan scan;
+  WallAndGround scan;
   scan.group.pop_back();
-  EXPECT_THROW((void)draw_scan_in_perspective(PerspectiveRenderer(), scan.picture(), {}, kSize),
+  EXPECT_THROW((void)draw_scan_in_perspective(PerspectiveRenderer(), scan.picture(), {}, kViewSize),
                std::invalid_argument);
 }
 
@@ -92,8 +92,8 @@ TerrainPicture step_terrain() {
 
 TEST(TerrainView, LooksNorthWithTheHighGroundFarAndAbove) {
   const Image image =
-      draw_terrain_in_perspective(PerspectiveRenderer(), step_terrain(), {}, 1.0, kSize);
-  EXPECT_EQ(image.size, kSize);
+      draw_terrain_in_perspective(PerspectiveRenderer(), step_terrain(), {}, 1.0, kViewSize);
+  EXPECT_EQ(image.size, kViewSize);
   const auto mean_row_of = [&image](Color color) {
     double rows = 0.0;
     double count = 0.0;
@@ -113,7 +113,8 @@ TEST(TerrainView, LooksNorthWithTheHighGroundFarAndAbove) {
 TEST(TerrainView, DrawsNothingWhereThereIsNoHeight) {
   TerrainPicture picture = step_terrain();
   for (int i = 0; i < 800; ++i) picture.grid.heights_m[static_cast<std::size_t>(i)] = std::nanf("");
-  const Image image = draw_terrain_in_perspective(PerspectiveRenderer(), picture, {}, 1.0, kSize);
+  const Image image =
+      draw_terrain_in_perspective(PerspectiveRenderer(), picture, {}, 1.0, kViewSize);
   std::size_t high = 0;
   for (int y = 0; y < image.size.height; ++y)
     for (int x = 0; x < image.size.width * 80 / 100; ++x)

@@ -13,7 +13,7 @@
 namespace groundgrid::simulation {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 constexpr const char* kWhole =
     "# Two lasers.\n"
     "pattern = \"turning\"\n"
@@ -56,9 +56,9 @@ TEST(SensorFile, GivesEveryField) {
   EXPECT_EQ(sensor.name, "own");
   EXPECT_EQ(sensor.sweep, Sweep::turning);
   ASSERT_EQ(sensor.beams.size(), 2U);
-  EXPECT_DOUBLE_EQ(sensor.beams[0].elevation_rad, 1.5 * kDegree);
-  EXPECT_DOUBLE_EQ(sensor.beams[1].elevation_rad, -20.0 * kDegree);
-  EXPECT_DOUBLE_EQ(sensor.beams[1].azimuth_rad, 2.0 * kDegree);
+  EXPECT_DOUBLE_EQ(sensor.beams[0].elevation_rad, 1.5 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ(sensor.beams[1].elevation_rad, -20.0 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ(sensor.beams[1].azimuth_rad, 2.0 * kRadPerDegree);
   EXPECT_DOUBLE_EQ(sensor.beams[0].height_m, 0.2);
   EXPECT_EQ(sensor.columns, 500);
   EXPECT_DOUBLE_EQ(sensor.rate_hz, 5.0);
@@ -70,9 +70,9 @@ TEST(SensorFile, GivesEveryField) {
   EXPECT_DOUBLE_EQ(sensor.mount.height_m, 1.2);
   EXPECT_DOUBLE_EQ(sensor.mount.x_m, 0.4);
   EXPECT_DOUBLE_EQ(sensor.mount.y_m, -0.3);
-  EXPECT_DOUBLE_EQ(sensor.mount.roll_rad, 180.0 * kDegree);
-  EXPECT_DOUBLE_EQ(sensor.mount.pitch_rad, 10.0 * kDegree);
-  EXPECT_DOUBLE_EQ(sensor.mount.yaw_rad, -90.0 * kDegree);
+  EXPECT_DOUBLE_EQ(sensor.mount.roll_rad, 180.0 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ(sensor.mount.pitch_rad, 10.0 * kRadPerDegree);
+  EXPECT_DOUBLE_EQ(sensor.mount.yaw_rad, -90.0 * kRadPerDegree);
 }
 
 TEST(SensorFile, CanBeginWithASensorThatThereIs) {
@@ -88,13 +88,13 @@ TEST(SensorFile, CanDescribeARosette) {
       "pattern = \"rosette\"\ncone_deg = 60\nelevations_deg = [0]\ncolumns = 100\nheight_m = 1\n",
       "own.toml");
   EXPECT_EQ(sensor.sweep, Sweep::rosette);
-  EXPECT_DOUBLE_EQ(sensor.cone_rad, 30.0 * kDegree);
+  EXPECT_DOUBLE_EQ(sensor.cone_rad, 30.0 * kRadPerDegree);
   // The two prisms turn apart: the laser leaves the axis, and never the cone.
   double widest = 0.0;
   for (int column = 0; column < sensor.columns; ++column)
     widest = std::max(widest, std::acos(sensor.direction(sensor.beams[0], column, 7).x()));
-  EXPECT_GT(widest, 29.0 * kDegree);
-  EXPECT_LT(widest, 30.5 * kDegree);
+  EXPECT_GT(widest, 29.0 * kRadPerDegree);
+  EXPECT_LT(widest, 30.5 * kRadPerDegree);
 }
 
 TEST(SensorFile, MustSayWhatASensorNeeds) {

@@ -128,7 +128,8 @@ TEST_F(Town, TheFirstRingIsAboutFourMetresAway) {
   std::vector<double> distances;
   for (std::size_t i = 0; i < points().size(); ++i)
     if (points().label(i) == 40)
-      distances.push_back(std::hypot(points().records[4 * i], points().records[4 * i + 1]));
+      distances.push_back(
+          static_cast<double>(std::hypot(points().records[4 * i], points().records[4 * i + 1])));
   auto first = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 100);
   std::nth_element(distances.begin(), first, distances.end());
   EXPECT_GT(*first, 3.6);

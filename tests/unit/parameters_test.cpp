@@ -20,7 +20,9 @@ namespace {
 struct AnyNumber {
   template <typename T>
   requires std::is_arithmetic_v<T>
-  operator T() const;  // NOLINT(google-explicit-constructor)
+  operator T() const {  // NOLINT(google-explicit-constructor)
+    return {};
+  }
 };
 
 /// The number of fields of an aggregate: how many initialisers it takes at most.
