@@ -31,6 +31,7 @@ class CrossedCells {
     // A longer line leaves the lattice; its pieces inside may then have gaps.
     const double longest = static_cast<double>(lattice_.columns) + lattice_.rows;
     const double cells = std::min(std::max(std::abs(columns), std::abs(rows)), longest);
+    if (std::isnan(cells)) return;
     const auto steps = static_cast<std::int64_t>(std::ceil(cells * kStepsPerCell));
     for (std::int64_t step = 1; step < steps; ++step) {
       const double part = static_cast<double>(step) / static_cast<double>(steps);
