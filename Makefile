@@ -71,8 +71,8 @@ check-format: lint-dependencies ## Fail where a source is not formatted
 	@scripts/sources.sh | xargs clang-format-14 --dry-run --Werror
 
 tidy: build-dependencies lint-dependencies ## Check src and include with clang-tidy 14
-	cmake --preset release $(CMAKE_FLAGS)
-	scripts/tidy.sh build/release $(JOBS)
+	cmake --preset tidy $(CMAKE_FLAGS)
+	scripts/tidy.sh build/tidy $(JOBS)
 
 clean: ## Remove all that was built
 	rm -rf build

@@ -6,4 +6,7 @@ function(groundgrid_warnings target)
   if(GROUNDGRID_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
+  # In unity builds, which clang-tidy looks at.
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
 endfunction()
