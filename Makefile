@@ -46,7 +46,9 @@ bench: bench-dependencies ## Time every stage and the whole scan: medians of sev
 	$(if $(DATA),GROUNDGRID_DATA="$(DATA)") build/bench/benchmarks/groundgrid_benchmarks \
 	  --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 
-asan tsan: build-dependencies
+asan: fuzz-dependencies
+tsan: build-dependencies
+asan tsan:
 	cmake --preset $@ $(CMAKE_FLAGS)
 	cmake --build --preset $@ --parallel $(JOBS)
 	ctest --preset $@
@@ -60,8 +62,8 @@ coverage: coverage-dependencies ## Run the tests and report the lines and branch
 	scripts/coverage.sh
 
 fuzz: fuzz-dependencies ## Fuzz every reader and the core, FUZZ_SECONDS=60 each
-	cmake --preset fuzz $(CMAKE_FLAGS)
-	cmake --build --preset fuzz --parallel $(JOBS) --target fuzz_targets
+	cmake --preset asan $(CMAKE_FLAGS)
+	cmake --build --preset asan --parallel $(JOBS) --target fuzz_targets
 	scripts/fuzz.sh $(FUZZ_SECONDS)
 
 format: lint-dependencies ## Format all sources with clang-format 14

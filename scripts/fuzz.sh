@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# fuzz.sh [SECONDS]: runs every fuzz target of build/fuzz that long (60 s), two at a time, each on a
+# fuzz.sh [SECONDS]: runs every fuzz target of build/asan that long (60 s), two at a time, each on a
 # copy of its corpus. Prints a table, and for every finding the input that reproduces it; fails
 # where there is one. Findings stay in build/fuzz/artifacts, logs in build/fuzz/run.
 set -euo pipefail
@@ -14,7 +14,7 @@ fuzz_one() {
   mkdir -p "$corpus" "$artifacts/$name"
   cp tests/fuzz/corpus/"$name"/* "$corpus"
   # The limit is for a target that does not heed its own.
-  timeout --kill-after=10 $((seconds + 120)) "build/fuzz/tests/fuzz/fuzz_$name" \
+  timeout --kill-after=10 $((seconds + 120)) "build/asan/tests/fuzz/fuzz_$name" \
     -max_total_time="$seconds" -rss_limit_mb=1024 -timeout=10 -print_final_stats=1 \
     -artifact_prefix="$artifacts/$name/" "$corpus" >"$run/$name.log" 2>&1 || status=$?
   echo "$status" >"$run/$name.status"
