@@ -73,6 +73,26 @@ struct GROUNDGRID_EXPORT Config {
   /// Cells this far below the median around do not support the envelope. (m)
   double envelope_pit_m = 0.3;
 
+  // Ground surface (not in the paper)
+  /// Fit planes to the ground: ground cells that rise above them are none, and cells without
+  /// ground take their height.
+  bool fit_surface = true;
+  /// Least side of the blocks that raised cells are told by. (m)
+  double surface_block_m = 5.0;
+  /// Cells more than this above the surface lose weight. (m)
+  double surface_tolerance_m = 0.06;
+  /// Cells more than this above the surface are no ground. (m)
+  double surface_step_m = 0.3;
+  /// Unless they make up a wider patch than this, (m²)
+  double plateau_area_m2 = 5.0;
+  /// on average less than this above the surface. (m)
+  double plateau_height_m = 1.0;
+  /// Cells of at least this confidence are remembered as ground.
+  double surface_min_confidence = 0.05;
+  /// Where no ground is seen but a return less than this above the surface, the ground is there.
+  /// (m)
+  double surface_follow_m = 0.1;
+
   // Elevation and confidence (III-D)
   /// Points in a patch for full confidence (eq. 4). (paper: s)
   double confidence_point_scale = 20.0;
@@ -94,6 +114,8 @@ struct GROUNDGRID_EXPORT Config {
   double tall_height_m = 0.3;
   /// Returns higher than this above the map, with none below them, hang over the ground. (m)
   double overhang_height_m = 1.0;
+  /// Something rises where there are more such returns than this share of the ground's.
+  double tall_min_share = 0.15;
   /// Greatest height of a ground point where something rises from the ground. (m)
   double tall_threshold_m = 0.06;
   /// Points up to this far above the map make the mean that heights are measured from. (m)

@@ -39,7 +39,7 @@ void CellLimits::collect_columns(const BinnedPoints& bins, std::span<const Label
   for (const std::uint32_t cell : collected_) offsets_[cell] = Offset{};
   collected_ = grid.occupied;
   for (const std::uint32_t cell : grid.occupied)
-    columns_[cell] = {steps(static_cast<double>(map.height()[cell])), 0, 0, false};
+    columns_[cell] = {steps(static_cast<double>(map.height()[cell])), 0, 0, 0};
 
   const std::int32_t tall = steps(config.tall_height_m);
   const std::int32_t overhang = steps(config.overhang_height_m);
@@ -52,7 +52,7 @@ void CellLimits::collect_columns(const BinnedPoints& bins, std::span<const Label
       ++column.near_ground;
       column.near_ground_sum += above;
     } else if (above > tall && above < overhang) {
-      column.rising = true;
+      ++column.rising;
     }
   });
   // Where something stands its feet would pass for ground: such cells take the level of others.
@@ -82,6 +82,12 @@ float CellLimits::mean_offset(int column, int row, int size) const {
   return sum / weight * kStep_m;
 }
 
+/// Whether something stands in the column, and not only a blade of grass or two.
+bool CellLimits::rises(const Column& column, const Config& config) {
+  return column.rising > 0 &&
+         static_cast<double>(column.rising) > config.tall_min_share * column.near_ground;
+}
+
 void CellLimits::choose_by_column(const BinnedPoints& bins, std::span<const Label> labels,
                                   const ScanGrid& grid, const ElevationMap& map,
                                   const Config& config, TileRunner& runner) {
@@ -95,7 +101,7 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, std::span<const Labe
       const int row = static_cast<int>(cell) / size;
       const int column = static_cast<int>(cell) % size;
       limits_[cell] = {map.height()[cell] + mean_offset(column, row, size),
-                       columns_[cell].rising ? tall_threshold : free_threshold};
+                       rises(columns_[cell], config) ? tall_threshold : free_threshold};
     }
   };
   runner.parallel_for_ranges(grid.occupied.size(), kLimitsPerTile, choose);

@@ -45,7 +45,7 @@ class CellLimits {
     std::int32_t height = 0;
     std::int32_t near_ground = 0;      ///< Points within the band around the height.
     std::int64_t near_ground_sum = 0;  ///< Their heights above it.
-    bool rising = false;               ///< Something rises from the ground.
+    std::int32_t rising = 0;           ///< Points that rise from the ground.
   };
   /// What the cell adds to the mean height of the ground points around, in points and steps.
   struct Offset {
@@ -55,6 +55,7 @@ class CellLimits {
   void collect_columns(const BinnedPoints& bins, std::span<const Label> labels,
                        const ScanGrid& grid, const ElevationMap& map, const Config& config,
                        TileRunner& runner);
+  [[nodiscard]] static bool rises(const Column& column, const Config& config);
   [[nodiscard]] float mean_offset(int column, int row, int size) const;
 
   std::vector<CellLimit> limits_;

@@ -41,6 +41,7 @@ Config Config::paper() {
   config.outlier_min_depth_m = -1e6;
   config.max_cell_slope = 0.0;
   config.reject_raised = false;
+  config.fit_surface = false;
   config.threshold_by_column = false;
   return config;
 }

@@ -10,6 +10,7 @@
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
 #include "core/ground_envelope.hpp"
+#include "core/ground_surface.hpp"
 #include "core/input_checks.hpp"
 #include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
@@ -51,6 +52,7 @@ class GroundGrid::Pipeline {
         grid_(map_.cells()),
         ground_cells_(map_.cells()),
         envelope_(map_),
+        surface_(map_),
         limits_(map_.cells()) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
@@ -88,6 +90,7 @@ class GroundGrid::Pipeline {
   ScanGrid grid_;
   GroundCells ground_cells_;
   GroundEnvelope envelope_;
+  GroundSurface surface_;
   CellLimits limits_;
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
@@ -220,9 +223,15 @@ void GroundGrid::Pipeline::run_stages() {
   ground_cells_.classify(grid_, map_, positions_, config_, runner_);
   if (config_.reject_raised)
     envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
+  const LocalPlane ground{map_.window_z(ground_plane_.z) + ground_plane_.offset,
+                          ground_plane_.slope_x, ground_plane_.slope_y};
+  if (config_.fit_surface) surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   map_.mark_observed();
-  interpolate_from_sensor();
+  if (config_.fit_surface)
+    surface_.fill(grid_, ground, config_, ground_cells_, map_);
+  else
+    interpolate_from_sensor();
   if (config_.threshold_by_column)
     limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
   else

@@ -74,7 +74,24 @@ constexpr std::array kParameters{
               "Greatest step, such as a kerb, above that rise."},
     Parameter{"envelope_pit_m", &Config::envelope_pit_m, "m", 0.0, 1e6, "", "ground_cells",
               "Cells this far below the median around do not support the envelope."},
-    // Elevation
+    Parameter{"fit_surface", &Config::fit_surface, "", 0.0, 1.0, "", "surface",
+              "Fit planes to the ground: ground cells that rise above them are none, and cells "
+              "without ground take their height."},
+    Parameter{"surface_block_m", &Config::surface_block_m, "m", 0.0, kFar, "", "surface",
+              "Least side of the blocks that raised cells are told by."},
+    Parameter{"surface_tolerance_m", &Config::surface_tolerance_m, "m", 0.001, 10.0, "", "surface",
+              "Cells more than this above the surface lose weight."},
+    Parameter{"surface_step_m", &Config::surface_step_m, "m", 0.0, 100.0, "", "surface",
+              "Cells more than this above the surface are no ground,"},
+    Parameter{"plateau_area_m2", &Config::plateau_area_m2, "m²", 0.0, 1e6, "", "surface",
+              "unless they make up a wider patch than this,"},
+    Parameter{"plateau_height_m", &Config::plateau_height_m, "m", 0.0, 100.0, "", "surface",
+              "on average less than this above the surface."},
+    Parameter{"surface_min_confidence", &Config::surface_min_confidence, "", 0.0, 1.0, "",
+              "surface", "Cells of at least this confidence are remembered as ground."},
+    Parameter{"surface_follow_m", &Config::surface_follow_m, "m", 0.0, 10.0, "", "surface",
+              "Where no ground is seen but a return less than this above the surface, the ground "
+              "is there."},
     Parameter{"confidence_point_scale", &Config::confidence_point_scale, "", 1e-3, 1e6, "s",
               "ground_elevation", "Points in a patch for full confidence (eq. 4)."},
     // Interpolation
@@ -95,6 +112,8 @@ constexpr std::array kParameters{
     Parameter{
         "overhang_height_m", &Config::overhang_height_m, "m", 0.0, 1000.0, "", "segmentation",
         "Returns higher than this above the map, with none below them, hang over the ground."},
+    Parameter{"tall_min_share", &Config::tall_min_share, "", 0.0, 1e6, "", "segmentation",
+              "Something rises where there are more such returns than this share of the ground's."},
     Parameter{"tall_threshold_m", &Config::tall_threshold_m, "m", 0.0, 10.0, "", "segmentation",
               "Greatest height of a ground point where something rises from the ground."},
     Parameter{"level_band_m", &Config::level_band_m, "m", 0.0, 10.0, "", "segmentation",

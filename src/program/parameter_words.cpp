@@ -19,6 +19,7 @@ constexpr std::array kHeadings{
     Stage{"vehicle", "Vehicle and sensor"},
     Stage{"outlier_filter", "Outlier filter (III-A)"},
     Stage{"ground_cells", "Ground cells (III-C)"},
+    Stage{"surface", "Ground surface (not in the paper)"},
     Stage{"ground_elevation", "Elevation and confidence (III-D)"},
     Stage{"interpolation", "Interpolation (III-E)"},
     Stage{"segmentation", "Segmentation (III-F)"},
