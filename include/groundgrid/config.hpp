@@ -74,23 +74,23 @@ struct GROUNDGRID_EXPORT Config {
   double envelope_pit_m = 0.3;
 
   // Ground surface (not in the paper)
-  /// Fit planes to the ground: ground cells that rise above them are none, and cells without
-  /// ground take their height.
+  /// Fit planes to the ground: ground cells that rise above them are none, and cells without ground
+  /// take their height.
   bool fit_surface = true;
-  /// Least side of the blocks that raised cells are told by. (m)
-  double surface_block_m = 5.0;
-  /// Cells more than this above the surface lose weight. (m)
+  /// Least side of the blocks of planes that tell which cells rise. (m)
+  double surface_block_m = 4.5;
+  /// Cells more than this above the surface lose weight in the fit. (m)
   double surface_tolerance_m = 0.06;
   /// Cells more than this above the surface are no ground. (m)
   double surface_step_m = 0.3;
-  /// Unless they make up a wider patch than this, (m²)
+  /// Wider patches of such cells are ground all the same: terraces, banks. (m²)
   double plateau_area_m2 = 5.0;
-  /// on average less than this above the surface. (m)
+  /// Unless they stand more than this above the surface on average. (m)
   double plateau_height_m = 1.0;
   /// Cells of at least this confidence are remembered as ground.
   double surface_min_confidence = 0.05;
-  /// Where no ground is seen but a return less than this above the surface, the ground is there.
-  /// (m)
+  /// A cell without ground whose lowest return is less than this above the surface takes that
+  /// return's height. (m)
   double surface_follow_m = 0.1;
 
   // Elevation and confidence (III-D)
@@ -114,7 +114,7 @@ struct GROUNDGRID_EXPORT Config {
   double tall_height_m = 0.3;
   /// Returns higher than this above the map, with none below them, hang over the ground. (m)
   double overhang_height_m = 1.0;
-  /// Something rises where there are more such returns than this share of the ground's.
+  /// Something rises only where there are more such returns than this share of the ground's.
   double tall_min_share = 0.15;
   /// Greatest height of a ground point where something rises from the ground. (m)
   double tall_threshold_m = 0.06;

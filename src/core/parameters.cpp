@@ -78,20 +78,20 @@ constexpr std::array kParameters{
               "Fit planes to the ground: ground cells that rise above them are none, and cells "
               "without ground take their height."},
     Parameter{"surface_block_m", &Config::surface_block_m, "m", 0.0, kFar, "", "surface",
-              "Least side of the blocks that raised cells are told by."},
+              "Least side of the blocks of planes that tell which cells rise."},
     Parameter{"surface_tolerance_m", &Config::surface_tolerance_m, "m", 0.001, 10.0, "", "surface",
-              "Cells more than this above the surface lose weight."},
+              "Cells more than this above the surface lose weight in the fit."},
     Parameter{"surface_step_m", &Config::surface_step_m, "m", 0.0, 100.0, "", "surface",
-              "Cells more than this above the surface are no ground,"},
+              "Cells more than this above the surface are no ground."},
     Parameter{"plateau_area_m2", &Config::plateau_area_m2, "m²", 0.0, 1e6, "", "surface",
-              "unless they make up a wider patch than this,"},
+              "Wider patches of such cells are ground all the same: terraces, banks."},
     Parameter{"plateau_height_m", &Config::plateau_height_m, "m", 0.0, 100.0, "", "surface",
-              "on average less than this above the surface."},
+              "Unless they stand more than this above the surface on average."},
     Parameter{"surface_min_confidence", &Config::surface_min_confidence, "", 0.0, 1.0, "",
               "surface", "Cells of at least this confidence are remembered as ground."},
     Parameter{"surface_follow_m", &Config::surface_follow_m, "m", 0.0, 10.0, "", "surface",
-              "Where no ground is seen but a return less than this above the surface, the ground "
-              "is there."},
+              "A cell without ground whose lowest return is less than this above the surface takes "
+              "that return's height."},
     Parameter{"confidence_point_scale", &Config::confidence_point_scale, "", 1e-3, 1e6, "s",
               "ground_elevation", "Points in a patch for full confidence (eq. 4)."},
     // Interpolation
@@ -112,8 +112,9 @@ constexpr std::array kParameters{
     Parameter{
         "overhang_height_m", &Config::overhang_height_m, "m", 0.0, 1000.0, "", "segmentation",
         "Returns higher than this above the map, with none below them, hang over the ground."},
-    Parameter{"tall_min_share", &Config::tall_min_share, "", 0.0, 1e6, "", "segmentation",
-              "Something rises where there are more such returns than this share of the ground's."},
+    Parameter{
+        "tall_min_share", &Config::tall_min_share, "", 0.0, 1e6, "", "segmentation",
+        "Something rises only where there are more such returns than this share of the ground's."},
     Parameter{"tall_threshold_m", &Config::tall_threshold_m, "m", 0.0, 10.0, "", "segmentation",
               "Greatest height of a ground point where something rises from the ground."},
     Parameter{"level_band_m", &Config::level_band_m, "m", 0.0, 10.0, "", "segmentation",

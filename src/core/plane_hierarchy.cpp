@@ -8,7 +8,8 @@
 namespace groundgrid {
 namespace {
 
-constexpr int kFinestBlock = 4;  // cells a side
+constexpr int kFinestBlock = 5;  // cells a side
+constexpr int kBranch = 3;       // blocks a side below each block
 
 // How a block's plane may differ from those above it: height per metre of its side, and slope.
 constexpr double kRoughness = 0.08;
@@ -34,19 +35,44 @@ void add(LocalPlane& sum, double share, const LocalPlane& plane) {
   sum.slope_y += share * plane.slope_y;
 }
 
+/// How many blocks, each of `parts` parts a side, cover `count` parts around the middle one.
+int blocks_around(int count, int parts) { return 2 * ((count / 2 + parts / 2) / parts) + 1; }
+
+/// One of the blocks that a block is expected to be like, and how far away its middle is.
+struct Like {
+  int block = 0;
+  double share = 0.0;
+  double away = 0.0;  ///< Sides of the block below.
+};
+
+/// Linear between the middles of the two nearest blocks above, along one axis.
+std::array<Like, 2> likes(int part, int blocks) {
+  const int own = part / kBranch;
+  const int place = part % kBranch - kBranch / 2;
+  const int other = std::clamp(own + place, 0, blocks - 1);
+  const double share = std::abs(place) / static_cast<double>(kBranch);
+  return {{{own, 1.0 - share, static_cast<double>(place)},
+           {other, share, static_cast<double>(place - kBranch * (other - own))}}};
+}
+
 }  // namespace
 
 PlaneHierarchy::PlaneHierarchy(int size, double cell_size_m)
     : size_(size), cell_size_(cell_size_m), between_(static_cast<std::size_t>(size)) {
-  int blocks = (size + kFinestBlock - 1) / kFinestBlock;
-  before_first_ = (blocks * kFinestBlock - size) / 2;
-  row_height_.resize(static_cast<std::size_t>(blocks));
-  row_slope_.resize(static_cast<std::size_t>(blocks));
-  for (double side = kFinestBlock * cell_size_m;; side *= 2.0, blocks = (blocks + 1) / 2) {
+  int below = size;
+  int parts = kFinestBlock;
+  double side = cell_size_m;
+  do {
+    const int blocks = blocks_around(below, parts);
     const auto count = static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks);
-    levels_.push_back({blocks, side, std::vector<Sums>(count), std::vector<BlockPlane>(count)});
-    if (blocks == 1) break;
-  }
+    side *= parts;
+    levels_.push_back({blocks, (blocks * parts - below) / 2, side, std::vector<Sums>(count),
+                       std::vector<BlockPlane>(count)});
+    below = blocks;
+    parts = kBranch;
+  } while (below > 1);
+  row_height_.resize(static_cast<std::size_t>(levels_.front().blocks));
+  row_slope_.resize(static_cast<std::size_t>(levels_.front().blocks));
 }
 
 std::size_t PlaneHierarchy::level_of(double block_m) const {
@@ -65,13 +91,13 @@ void PlaneHierarchy::sum_finest(std::span<const float> weights, std::span<const 
         static_cast<float>(cell_size_);
 
   for (int row = 0; row < size_; ++row) {
-    const int block_row = (row + before_first_) / kFinestBlock;
+    const int block_row = (row + level.before) / kFinestBlock;
     const auto y =
-        static_cast<double>(offset[static_cast<std::size_t>((row + before_first_) % kFinestBlock)]);
+        static_cast<double>(offset[static_cast<std::size_t>((row + level.before) % kFinestBlock)]);
     const float* weight = weights.data() + static_cast<std::ptrdiff_t>(row) * size_;
     const float* height = heights.data() + static_cast<std::ptrdiff_t>(row) * size_;
     for (int block = 0; block < level.blocks; ++block) {
-      const int first = block * kFinestBlock - before_first_;
+      const int first = block * kFinestBlock - level.before;
       float w = 0.0F;
       float x = 0.0F;
       float xx = 0.0F;
@@ -106,12 +132,14 @@ void PlaneHierarchy::sum_finest(std::span<const float> weights, std::span<const 
 void PlaneHierarchy::sum_up(const Level& below, Level& level) {
   std::fill(level.sums.begin(), level.sums.end(), Sums{});
   for (int row = 0; row < below.blocks; ++row) {
-    const double y = (row % 2 == 0 ? -0.5 : 0.5) * below.side;
+    const int in_y = row + level.before;
+    const double y = (in_y % kBranch - kBranch / 2) * below.side;
     for (int column = 0; column < below.blocks; ++column) {
       const Sums& part = below.sums[below.index(column, row)];
       if (part.w == 0.0) continue;
-      const double x = (column % 2 == 0 ? -0.5 : 0.5) * below.side;
-      Sums& sums = level.sums[level.index(column / 2, row / 2)];
+      const int in_x = column + level.before;
+      const double x = (in_x % kBranch - kBranch / 2) * below.side;
+      Sums& sums = level.sums[level.index(in_x / kBranch, in_y / kBranch)];
       sums.w += part.w;
       sums.x += part.x + x * part.w;
       sums.y += part.y + y * part.w;
@@ -125,35 +153,22 @@ void PlaneHierarchy::sum_up(const Level& below, Level& level) {
   }
 }
 
-/// What is known of the one block at the top: the plane that the caller expects.
-PlaneHierarchy::BlockPlane PlaneHierarchy::at_top(const LocalPlane& top) const {
-  // From the middle of the cells to the middle of the block.
-  const double shift =
-      0.5 * levels_.back().side - (before_first_ + 0.5 * static_cast<double>(size_)) * cell_size_;
-  return {moved(top, shift, shift), {square(kTopHeight_m), square(kTopSlope), square(kTopSlope)}};
-}
-
-/// What the planes above say of a block: bilinear between those of the four nearest blocks.
-PlaneHierarchy::BlockPlane PlaneHierarchy::expected(const Level& above, const Level& level,
-                                                    int column, int row) {
+/// What the planes above say of a block: bilinear between those of the nearest blocks.
+PlaneHierarchy::BlockPlane PlaneHierarchy::expected(const Level& above, double side, int column,
+                                                    int row) {
   BlockPlane sum;
-  const auto other = [&above](int child) {
-    return std::clamp(child % 2 == 0 ? child / 2 - 1 : child / 2 + 1, 0, above.blocks - 1);
-  };
-  const std::array<int, 2> columns{column / 2, other(column)};
-  const std::array<int, 2> rows{row / 2, other(row)};
-  constexpr std::array<double, 2> kShares{0.75, 0.25};
-  for (std::size_t j = 0; j < 2; ++j) {
-    for (std::size_t i = 0; i < 2; ++i) {
-      const BlockPlane& from = above.planes[above.index(columns[i], rows[j])];
-      const double share = kShares[i] * kShares[j];
-      const double x = (column + 0.5 - (2 * columns[i] + 1)) * level.side;
-      const double y = (row + 0.5 - (2 * rows[j] + 1)) * level.side;
-      add(sum.plane, share, moved(from.plane, x, y));
-      add(sum.variance, share, moved(from.variance, x * x, y * y));
+  for (const Like& y : likes(row + above.before, above.blocks)) {
+    for (const Like& x : likes(column + above.before, above.blocks)) {
+      const double share = x.share * y.share;
+      if (share == 0.0) continue;
+      const BlockPlane& from = above.planes[above.index(x.block, y.block)];
+      const double east = x.away * side;
+      const double north = y.away * side;
+      add(sum.plane, share, moved(from.plane, east, north));
+      add(sum.variance, share, moved(from.variance, east * east, north * north));
     }
   }
-  sum.variance.height += square(kRoughness * level.side);
+  sum.variance.height += square(kRoughness * side);
   sum.variance.slope_x += square(kBend);
   sum.variance.slope_y += square(kBend);
   return sum;
@@ -196,13 +211,14 @@ void PlaneHierarchy::fit(std::span<const float> weights, std::span<const float> 
                          const LocalPlane& top, std::size_t finest) {
   sum_finest(weights, heights);
   for (std::size_t l = 1; l < levels_.size(); ++l) sum_up(levels_[l - 1], levels_[l]);
+  const BlockPlane highest{top, {square(kTopHeight_m), square(kTopSlope), square(kTopSlope)}};
   for (std::size_t l = levels_.size(); l-- > finest;) {
     Level& level = levels_[l];
     for (int row = 0; row < level.blocks; ++row) {
       for (int column = 0; column < level.blocks; ++column) {
         const std::size_t block = level.index(column, row);
         const BlockPlane before =
-            l + 1 == levels_.size() ? at_top(top) : expected(levels_[l + 1], level, column, row);
+            l + 1 == levels_.size() ? highest : expected(levels_[l + 1], level.side, column, row);
         level.planes[block] = corrected(before, level.sums[block], level.side);
       }
     }
@@ -212,7 +228,7 @@ void PlaneHierarchy::fit(std::span<const float> weights, std::span<const float> 
 /// Where each column (and row, the same) lies between the blocks of a level.
 void PlaneHierarchy::place_cells(const Level& level) {
   for (int i = 0; i < size_; ++i) {
-    const double in_blocks = (i + before_first_ + 0.5) * cell_size_ / level.side - 0.5;
+    const double in_blocks = (i - size_ / 2) * cell_size_ / level.side + level.blocks / 2;
     const int floor = static_cast<int>(std::floor(in_blocks));
     const int before = std::clamp(floor, 0, level.blocks - 1);
     const int after = std::clamp(floor + 1, 0, level.blocks - 1);

@@ -13,8 +13,9 @@ struct LocalPlane {
   double slope_y = 0.0;
 };
 
-/// A surface of planes over a square of cells: one block covers them all, each block has four of
-/// half its side below it, down to 4 × 4 cells. Not in the paper; see docs/method.md.
+/// A surface of planes over a square of cells: one block covers them all, each block has nine of a
+/// third of its side below it, down to 5 × 5 cells. The middle cell is in the middle of a block on
+/// every level, so that no direction is special. Not in the paper; see docs/method.md.
 ///
 /// A block's plane is expected to be what the planes above it say there, give or take a roughness
 /// that grows with its side, and is corrected by the heights of its own cells: least squares with
@@ -22,10 +23,10 @@ struct LocalPlane {
 /// everywhere, near to the heights where there are any and as smooth as they allow elsewhere.
 class PlaneHierarchy {
  public:
-  /// For `size` × `size` cells.
+  /// For `size` × `size` cells, an odd number.
   PlaneHierarchy(int size, double cell_size_m);
 
-  /// The finest level whose blocks are at least this wide; 0 is 4 × 4 cells.
+  /// The finest level whose blocks are at least this wide; 0 is 5 × 5 cells.
   [[nodiscard]] std::size_t level_of(double block_m) const;
 
   /// Fits the planes of all levels down to `finest` to heights of cells (row by row, metres) with
@@ -47,7 +48,8 @@ class PlaneHierarchy {
     LocalPlane variance{};
   };
   struct Level {
-    int blocks = 0;     ///< A side.
+    int blocks = 0;     ///< A side, an odd number.
+    int before = 0;     ///< Blocks (or cells) of the level below by which the first begins early.
     double side = 0.0;  ///< Of a block, metres.
     std::vector<Sums> sums{};
     std::vector<BlockPlane> planes{};
@@ -66,16 +68,14 @@ class PlaneHierarchy {
     float from_after = 0.0F;
   };
 
-  [[nodiscard]] BlockPlane at_top(const LocalPlane& top) const;
   void sum_finest(std::span<const float> weights, std::span<const float> heights);
   static void sum_up(const Level& below, Level& level);
-  static BlockPlane expected(const Level& above, const Level& level, int column, int row);
+  static BlockPlane expected(const Level& above, double side, int column, int row);
   static BlockPlane corrected(const BlockPlane& expected, const Sums& sums, double side);
   void place_cells(const Level& level);
 
   int size_;
   double cell_size_;
-  int before_first_;           // cells by which the first block begins before the square
   std::vector<Level> levels_;  // finest first
   std::vector<Between> between_;
   std::vector<float> row_height_;
