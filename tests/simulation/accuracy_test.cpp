@@ -62,16 +62,16 @@ TEST_P(Accuracy, OfLabelsAndTerrainHolds) {
 // place shows: twenty scans, two seconds.
 INSTANTIATE_TEST_SUITE_P(
     Simulated, Accuracy,
-    ::testing::Values(Drive{"urban", "hdl-64e", 93.6, 0.40},     // 93.88, 0.383
-                      Drive{"urban", "vlp-16", 87.5, 0.53},      // 87.77, 0.513
-                      Drive{"hill", "hdl-64e", 94.0, 0.60},      // 94.34, 0.580
-                      Drive{"hill", "vlp-16", 94.9, 0.72},       // 95.22, 0.690
-                      Drive{"motorway", "hdl-64e", 97.1, 0.20},  // 97.39, 0.195
-                      Drive{"motorway", "vlp-16", 93.7, 0.21},   // 93.98, 0.197
-                      Drive{"village", "hdl-64e", 88.1, 0.34},   // 88.36, 0.330
-                      Drive{"village", "vlp-16", 76.4, 1.24},    // 76.65, 1.195
-                      Drive{"offroad", "hdl-64e", 91.5, 0.27},   // 91.84, 0.258
-                      Drive{"offroad", "vlp-16", 92.8, 0.12}));  // 93.08, 0.117
+    ::testing::Values(Drive{"urban", "hdl-64e", 93.7, 0.23},     // 93.98, 0.222
+                      Drive{"urban", "vlp-16", 89.5, 0.32},      // 89.78, 0.302
+                      Drive{"hill", "hdl-64e", 94.8, 0.16},      // 95.06, 0.149
+                      Drive{"hill", "vlp-16", 94.2, 0.31},       // 94.53, 0.292
+                      Drive{"motorway", "hdl-64e", 97.4, 0.06},  // 97.65, 0.055
+                      Drive{"motorway", "vlp-16", 94.9, 0.13},   // 95.24, 0.121
+                      Drive{"village", "hdl-64e", 93.7, 0.34},   // 93.97, 0.323
+                      Drive{"village", "vlp-16", 84.9, 0.45},    // 85.17, 0.425
+                      Drive{"offroad", "hdl-64e", 93.9, 0.06},   // 94.23, 0.057
+                      Drive{"offroad", "vlp-16", 93.2, 0.07}));  // 93.47, 0.060
 
 }  // namespace
 }  // namespace groundgrid
