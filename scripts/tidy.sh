@@ -9,13 +9,14 @@ build=$1
 jobs=$2
 
 # Clang's analyzer follows the paths through a source that another one includes only where that one
-# has this name.
+# has this name. And it does not know all of GCC's warnings.
 readonly unified="$build/unified"
 mkdir -p "$unified"
 while read -r unit; do
   cp "$unit" "$(sed -E 's|unity_([0-9]+)_cxx|UnifiedSource\1|' <<<"$unit")"
 done < <(find "$build/src" -name 'unity_*_cxx.cxx')
-sed -E 's|unity_([0-9]+)_cxx\.cxx([" ])|UnifiedSource\1.cxx\2|g' "$build/compile_commands.json" \
+sed -E 's|unity_([0-9]+)_cxx\.cxx([" ])|UnifiedSource\1.cxx\2|g; s| -Wno-subobject-linkage||g' \
+  "$build/compile_commands.json" \
   >"$unified/compile_commands.json"
 
 sources=$(scripts/sources.sh src | grep '\.cpp$' | sed "s|^|$PWD/|")

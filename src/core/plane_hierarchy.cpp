@@ -38,6 +38,9 @@ void add(LocalPlane& sum, double share, const LocalPlane& plane) {
 /// How many blocks, each of `parts` parts a side, cover `count` parts around the middle one.
 int blocks_around(int count, int parts) { return 2 * ((count / 2 + parts / 2) / parts) + 1; }
 
+/// Place of a part in its block: -1, 0 or 1 parts from the middle.
+int place_of(int part) { return part % kBranch - kBranch / 2; }
+
 /// One of the blocks that a block is expected to be like, and how far away its middle is.
 struct Like {
   int block = 0;
@@ -48,7 +51,7 @@ struct Like {
 /// Linear between the middles of the two nearest blocks above, along one axis.
 std::array<Like, 2> likes(int part, int blocks) {
   const int own = part / kBranch;
-  const int place = part % kBranch - kBranch / 2;
+  const int place = place_of(part);
   const int other = std::clamp(own + place, 0, blocks - 1);
   const double share = std::abs(place) / static_cast<double>(kBranch);
   return {{{own, 1.0 - share, static_cast<double>(place)},
@@ -133,12 +136,12 @@ void PlaneHierarchy::sum_up(const Level& below, Level& level) {
   std::fill(level.sums.begin(), level.sums.end(), Sums{});
   for (int row = 0; row < below.blocks; ++row) {
     const int in_y = row + level.before;
-    const double y = (in_y % kBranch - kBranch / 2) * below.side;
+    const double y = place_of(in_y) * below.side;
     for (int column = 0; column < below.blocks; ++column) {
       const Sums& part = below.sums[below.index(column, row)];
       if (part.w == 0.0) continue;
       const int in_x = column + level.before;
-      const double x = (in_x % kBranch - kBranch / 2) * below.side;
+      const double x = place_of(in_x) * below.side;
       Sums& sums = level.sums[level.index(in_x / kBranch, in_y / kBranch)];
       sums.w += part.w;
       sums.x += part.x + x * part.w;
@@ -227,8 +230,10 @@ void PlaneHierarchy::fit(std::span<const float> weights, std::span<const float> 
 
 /// Where each column (and row, the same) lies between the blocks of a level.
 void PlaneHierarchy::place_cells(const Level& level) {
+  const int middle = size_ / 2;
   for (int i = 0; i < size_; ++i) {
-    const double in_blocks = (i - size_ / 2) * cell_size_ / level.side + level.blocks / 2;
+    const int middle_block = level.blocks / 2;
+    const double in_blocks = (i - middle) * cell_size_ / level.side + middle_block;
     const int floor = static_cast<int>(std::floor(in_blocks));
     const int before = std::clamp(floor, 0, level.blocks - 1);
     const int after = std::clamp(floor + 1, 0, level.blocks - 1);
