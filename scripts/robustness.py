@@ -18,8 +18,8 @@ import tempfile
 
 import numpy as np
 
-GROUND = [40, 44, 48, 49, 60, 72]
-NOT_COUNTED = [0, 1, 70]
+from labelled_scans import PREDICTED_GROUND, iou, is_counted, is_ground, read_classes
+
 EVENT = 60  # scan
 RECOVERED = 0.5  # points of IoU
 AVERAGED = 10  # scans
@@ -78,19 +78,16 @@ def labelled(program, source, scans, poses, flags):
                        check=True, capture_output=True)
         result = []
         for i, scan in enumerate(scans):
-            truth = np.fromfile(source / "labels" / f"{scan:06d}.label", np.uint32) & 0xFFFF
-            answer = np.fromfile(folder / "out/sequences/00/predictions" / f"{i:06d}.label",
-                                 np.uint32)
-            counted = ~np.isin(truth, NOT_COUNTED)
-            ground = np.isin(truth, GROUND)[counted]
-            predicted = answer[counted] == 40
-            result.append(100 * np.sum(ground & predicted) / np.sum(ground | predicted))
+            truth = read_classes(source / "labels" / f"{scan:06d}.label")
+            answer = read_classes(folder / "out/sequences/00/predictions" / f"{i:06d}.label")
+            counted = is_counted(truth)
+            result.append(iou(is_ground(truth)[counted], answer[counted] == PREDICTED_GROUND))
         return np.array(result)
 
 
-def scans_until_recovered(iou, expected):
+def scans_until_recovered(reached, expected):
     """The first scan from which on ten together are as good as they were, nearly."""
-    lost = expected - iou
+    lost = expected - reached
     for first in range(len(lost) - AVERAGED + 1):
         if lost[first:first + AVERAGED].mean() <= RECOVERED:
             return first
@@ -107,10 +104,10 @@ def main():
     as_it_is = labelled(arguments.program, source, list(range(len(poses))), poses, [])
     print("| case | IoU | as it is | lowest | scans until recovered |\n| --- | --- | --- | --- | --- |")
     for name, scans, other_poses, flags, event in cases(poses):
-        iou = labelled(arguments.program, source, scans, other_poses, flags)[event:]
+        reached = labelled(arguments.program, source, scans, other_poses, flags)[event:]
         expected = as_it_is[scans][event:]
-        print(f"| {name} | {iou.mean():.2f} | {expected.mean():.2f} | {iou.min():.2f} | "
-              f"{scans_until_recovered(iou, expected)} |", flush=True)
+        print(f"| {name} | {reached.mean():.2f} | {expected.mean():.2f} | {reached.min():.2f} | "
+              f"{scans_until_recovered(reached, expected)} |", flush=True)
 
 
 if __name__ == "__main__":

@@ -13,13 +13,13 @@ import pathlib
 
 import numpy as np
 
+from labelled_scans import GROUND, is_counted, is_ground, labels_of, read_classes, read_points
+
 try:
     import pypatchworkpp
 except ImportError:
     pypatchworkpp = None
 
-GROUND = [40, 44, 48, 49, 60, 72]
-NOT_COUNTED = [0, 1, 70]
 CLASSES = {"ground": GROUND, "leaves (70)": [70], "buildings (50)": [50], "fences (51)": [51],
            "vehicles": [10, 18, 20, 252, 258, 259], "outliers (1)": [1], "unlabeled (0)": [0]}
 RANGES_M = [0, 4, 6, 8, 10, 15, 20, 30, 40, 60, 80.5]
@@ -28,17 +28,11 @@ DISTANCES_M = [0, 5, 10, 20, 30, 45]
 CELL_M = 0.33
 
 
-def read(scan):
-    points = np.fromfile(scan, np.float32).reshape(-1, 4)
-    labels = np.fromfile(scan.parent.parent / "labels" / f"{scan.stem}.label", np.uint32) & 0xFFFF
-    return points, labels
-
-
 def shares(values, edges):
     return np.histogram(values, edges)[0] / len(values)
 
 
-def deviations(points, is_ground):
+def deviations(points, ground):
     """Standard deviation of the heights in each cell of ground alone, in cm, by distance."""
     cells = np.floor(points[:, :2].astype(float) / CELL_M).astype(np.int64)
     _, index, count = np.unique(cells[:, 0] * 10000 + cells[:, 1], return_inverse=True,
@@ -50,7 +44,7 @@ def deviations(points, is_ground):
     z = points[:, 2].astype(float)
     deviation = 100 * np.sqrt(np.maximum(mean(z * z) - mean(z) ** 2, 0))
     distance = mean(np.hypot(points[:, 0], points[:, 1]))
-    usable = (count >= 3) & (mean(is_ground.astype(float)) == 1)
+    usable = (count >= 3) & (mean(ground.astype(float)) == 1)
     return [deviation[usable & (distance >= low) & (distance < high)]
             for low, high in zip(DISTANCES_M, DISTANCES_M[1:])]
 
@@ -78,8 +72,8 @@ class Iou:
         self.hits = self.union = 0
 
     def add(self, predicted, labels):
-        counted = ~np.isin(labels, NOT_COUNTED)
-        truth = np.isin(labels, GROUND)
+        counted = is_counted(labels)
+        truth = is_ground(labels)
         self.hits += (predicted & truth & counted).sum()
         self.union += ((predicted | truth) & counted).sum()
 
@@ -102,11 +96,11 @@ def figures(sequence, sensor_height):
     peer, plane = Iou(), Iou()
     all_labels, ranges, elevations, spread = [], [], [], []
     for scan in scans:
-        points, labels = read(scan)
+        points, labels = read_points(scan), read_classes(labels_of(scan))
         all_labels.append(labels)
         ranges.append(np.linalg.norm(points[:, :3], axis=1))
         elevations.append(np.degrees(np.arcsin(points[:, 2] / ranges[-1])))
-        spread.append(deviations(points, np.isin(labels, GROUND)))
+        spread.append(deviations(points, is_ground(labels)))
         plane.add(ransac_plane(points, random), labels)
         if method:
             method.estimateGround(points)

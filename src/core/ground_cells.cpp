@@ -57,9 +57,7 @@ void GroundCells::summarise(const ScanGrid& grid, TileRunner& runner) {
       const CellStatistics& cell = grid.statistics[grid.occupied[i]];
       const auto points = static_cast<float>(cell.count);
       const auto variance = static_cast<float>(cell.variance_m2());
-      const float min_height =
-          static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
-      weighted_[grid.occupied[i]] = {points, points * min_height, points * variance, variance};
+      weighted_[grid.occupied[i]] = {points, points * lowest_m(cell), points * variance, variance};
     }
   };
   runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile, summarise_cells);

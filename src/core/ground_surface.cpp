@@ -18,10 +18,6 @@ constexpr int kPatchReach = 2;
 constexpr float kPatchSlope = 0.4F;
 constexpr float kPatchStep_m = 0.02F;
 
-float lowest_return(const CellStatistics& cell) {
-  return static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
-}
-
 }  // namespace
 
 GroundSurface::GroundSurface(const ElevationMap& map)
@@ -148,7 +144,7 @@ void GroundSurface::fill(const ScanGrid& grid, const LocalPlane& ground, const C
     float height = surface_[cell];
     // The ground is nowhere above the lowest return.
     if (grid.is_occupied[cell] != 0) {
-      const float lowest = lowest_return(grid.statistics[cell]);
+      const float lowest = lowest_m(grid.statistics[cell]);
       if (lowest < height + follow) height = lowest;
     }
     map.height()[cell] = height;

@@ -231,8 +231,8 @@ void PlaneHierarchy::fit(std::span<const float> weights, std::span<const float> 
 /// Where each column (and row, the same) lies between the blocks of a level.
 void PlaneHierarchy::place_cells(const Level& level) {
   const int middle = size_ / 2;
+  const int middle_block = level.blocks / 2;
   for (int i = 0; i < size_; ++i) {
-    const int middle_block = level.blocks / 2;
     const double in_blocks = (i - middle) * cell_size_ / level.side + middle_block;
     const int floor = static_cast<int>(std::floor(in_blocks));
     const int before = std::clamp(floor, 0, level.blocks - 1);

@@ -45,6 +45,11 @@ struct ScanGrid {
   }
 };
 
+/// Lowest height of a cell that has points, metres above the z origin.
+inline float lowest_m(const CellStatistics& cell) {
+  return static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
+}
+
 /// Transforms every point to the window frame and finds its cell and height. Points that are not
 /// finite, too near, on the own vehicle or outside the window get kNoCell.
 void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& config,
