@@ -67,6 +67,10 @@ class GroundGrid::Pipeline {
   }
 
   [[nodiscard]] TerrainView terrain() const;
+  std::span<const float> standard_deviation() {
+    if (!map_.started()) return {};
+    return surface_.standard_deviation(grid_, plane_in_window(), config_, ground_cells_, map_);
+  }
   [[nodiscard]] const Config& config() const { return config_; }
 
  private:
@@ -80,6 +84,7 @@ class GroundGrid::Pipeline {
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
   void choose_output(std::size_t points, const ScanOutput* output);
   void run_stages();
+  [[nodiscard]] LocalPlane plane_in_window() const;
   void interpolate_from_sensor();
   void count_labels(ScanResult& result) const;
 
@@ -223,8 +228,7 @@ void GroundGrid::Pipeline::run_stages() {
   ground_cells_.classify(grid_, map_, positions_, config_, runner_);
   if (config_.reject_raised)
     envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
-  const LocalPlane ground{map_.window_z(ground_plane_.z) + ground_plane_.offset,
-                          ground_plane_.slope_x, ground_plane_.slope_y};
+  const LocalPlane ground = plane_in_window();
   if (config_.fit_surface) surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   map_.mark_observed();
@@ -237,6 +241,11 @@ void GroundGrid::Pipeline::run_stages() {
   else
     limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
   segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
+}
+
+LocalPlane GroundGrid::Pipeline::plane_in_window() const {
+  return {map_.window_z(ground_plane_.z) + ground_plane_.offset, ground_plane_.slope_x,
+          ground_plane_.slope_y};
 }
 
 void GroundGrid::Pipeline::interpolate_from_sensor() {
@@ -298,6 +307,9 @@ ScanResult GroundGrid::process(std::span<const SensorScan> scans,
 
 void GroundGrid::reset() { pipeline_->reset(); }
 TerrainView GroundGrid::terrain() const { return pipeline_->terrain(); }
+std::span<const float> GroundGrid::standard_deviation() const {
+  return pipeline_->standard_deviation();
+}
 const Config& GroundGrid::config() const { return pipeline_->config(); }
 
 }  // namespace groundgrid

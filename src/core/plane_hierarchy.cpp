@@ -271,4 +271,29 @@ void PlaneHierarchy::evaluate(std::size_t l, std::span<float> surface) {
   }
 }
 
+void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) {
+  const Level& level = levels_[l];
+  place_cells(level);
+  const auto columns = static_cast<std::size_t>(size_);
+  const auto at = [&level](std::size_t column, std::size_t row, float x, float y) {
+    const LocalPlane& own =
+        level.planes[row * static_cast<std::size_t>(level.blocks) + column].variance;
+    return static_cast<float>(
+        moved(own, square(static_cast<double>(x)), square(static_cast<double>(y))).height);
+  };
+  for (std::size_t row = 0; row < columns; ++row) {
+    const Between& y = between_[row];
+    for (std::size_t column = 0; column < columns; ++column) {
+      const Between& x = between_[column];
+      const auto along_x = [&](std::size_t block_row, float from) {
+        const float left = at(x.before, block_row, x.from_before, from);
+        return left + x.share_after * (at(x.after, block_row, x.from_after, from) - left);
+      };
+      const float lower = along_x(y.before, y.from_before);
+      variance[row * columns + column] =
+          lower + y.share_after * (along_x(y.after, y.from_after) - lower);
+    }
+  }
+}
+
 }  // namespace groundgrid

@@ -37,6 +37,9 @@ class PlaneHierarchy {
   /// The surface at the middle of each cell, bilinear between the planes of a level.
   void evaluate(std::size_t level, std::span<float> surface);
 
+  /// The variance of that height at each cell, m²: bilinear between those of the planes.
+  void evaluate_variance(std::size_t level, std::span<float> variance);
+
  private:
   /// Weighted sums over the cells of a block; x and y from its middle, metres.
   struct Sums {

@@ -14,6 +14,7 @@ namespace groundgrid::evaluation {
 namespace {
 
 constexpr std::array<double, 5> kPathDistances_m{0.0, 5.0, 10.0, 20.0, 40.0};
+constexpr std::array<const char*, 4> kDensityGroups{"dense", "sparse", "unseen_near", "unseen_far"};
 constexpr std::array<double, 5> kSlopes_percent{0.0, 5.0, 15.0, 30.0, 50.0};
 
 void check_layers(const TerrainLayers& layers) {
@@ -24,7 +25,7 @@ void check_layers(const TerrainLayers& layers) {
   };
   bool all_fit = fits(layers.estimated_m) && fits(layers.reference_m) &&
                  fits_if_known(layers.density) && fits_if_known(layers.count) &&
-                 fits_if_known(layers.path_distance_m);
+                 fits_if_known(layers.deviation_m) && fits_if_known(layers.path_distance_m);
   for (const TerrainMask& mask : layers.masks) all_fit = all_fit && fits(mask.values);
   if (!all_fit) throw std::invalid_argument("every layer must have one value a cell");
 }
@@ -35,6 +36,7 @@ class Comparison {
   Comparison(const TerrainLayers& layers, OffsetUse use) : layers_(layers) {
     offset_ = solve_offset();
     offset_.taken_out = use == OffsetUse::taken_out && offset_.cells > 0;
+    if (!layers_.density.empty()) from_seen_m_ = distance_from_seen();
   }
 
   [[nodiscard]] TerrainFigures figures() const {
@@ -43,6 +45,7 @@ class Comparison {
     figures.offset = offset_;
     figures.all = errors_where([](std::size_t) { return true; });
     if (!layers_.density.empty()) figures.by_density = by_density();
+    if (!layers_.deviation_m.empty()) figures.calibration = calibration();
     if (!layers_.count.empty()) figures.paper = of_the_papers_selection();
     if (!layers_.path_distance_m.empty())
       figures.by_path_distance = by_bins(layers_.path_distance_m, kPathDistances_m);
@@ -68,6 +71,9 @@ class Comparison {
     return static_cast<double>(layers_.density[cell]) >= kDensePointsPerM2;
   }
   [[nodiscard]] bool is_seen(std::size_t cell) const { return layers_.density[cell] > 0.0F; }
+  [[nodiscard]] bool is_in_gap(std::size_t cell) const {
+    return static_cast<double>(from_seen_m_[cell]) <= kGap_m;
+  }
 
   template <typename InGroup>
   [[nodiscard]] std::vector<double> differences_where(const InGroup& in_group) const {
@@ -108,20 +114,48 @@ class Comparison {
     return cells;
   }
 
-  [[nodiscard]] ErrorsByDensity by_density() const {
+  [[nodiscard]] std::vector<float> distance_from_seen() const {
     std::vector<std::uint8_t> seen(layers_.lattice.cells());
     for (std::size_t cell = 0; cell < seen.size(); ++cell) seen[cell] = is_seen(cell) ? 1 : 0;
-    const std::vector<float> from_seen_m = distance_to(seen, layers_.lattice);
-    const auto in_gap = [&](std::size_t cell) {
-      return static_cast<double>(from_seen_m[cell]) <= kGap_m;
-    };
-    return {.dense = errors_where([this](std::size_t cell) { return is_dense(cell); }),
-            .sparse =
-                errors_where([this](std::size_t cell) { return is_seen(cell) && !is_dense(cell); }),
-            .unseen_near =
-                errors_where([&](std::size_t cell) { return !is_seen(cell) && in_gap(cell); }),
-            .unseen_far =
-                errors_where([&](std::size_t cell) { return !is_seen(cell) && !in_gap(cell); })};
+    return distance_to(seen, layers_.lattice);
+  }
+
+  /// Calls take(group) with the four tests that tell which cells belong to a group of density.
+  template <typename Take>
+  void for_each_density(const Take& take) const {
+    take([this](std::size_t cell) { return is_dense(cell); });
+    take([this](std::size_t cell) { return is_seen(cell) && !is_dense(cell); });
+    take([this](std::size_t cell) { return !is_seen(cell) && is_in_gap(cell); });
+    take([this](std::size_t cell) { return !is_seen(cell) && !is_in_gap(cell); });
+  }
+
+  [[nodiscard]] ErrorsByDensity by_density() const {
+    std::vector<TerrainErrors> groups;
+    for_each_density([&](const auto& in_group) { groups.push_back(errors_where(in_group)); });
+    return {groups[0], groups[1], groups[2], groups[3]};
+  }
+
+  template <typename InGroup>
+  [[nodiscard]] DeviationCalibration calibration_where(const InGroup& in_group) const {
+    std::vector<JudgedHeight> heights;
+    for (std::size_t cell = 0; cell < layers_.lattice.cells(); ++cell) {
+      if (!has_reference(cell) || !has_estimate(cell) || !in_group(cell)) continue;
+      if (!std::isfinite(layers_.deviation_m[cell])) continue;
+      heights.push_back({difference(cell) - (offset_.taken_out ? offset_.median_m : 0.0),
+                         static_cast<double>(layers_.deviation_m[cell])});
+    }
+    return calibrate(heights);
+  }
+
+  [[nodiscard]] std::vector<GroupCalibration> calibration() const {
+    std::vector<GroupCalibration> groups;
+    if (!layers_.density.empty()) {
+      for_each_density([&](const auto& in_group) {
+        groups.push_back({kDensityGroups.at(groups.size()), calibration_where(in_group)});
+      });
+    }
+    groups.push_back({"all", calibration_where([](std::size_t) { return true; })});
+    return groups;
   }
 
   [[nodiscard]] TerrainErrors of_the_papers_selection() const {
@@ -154,6 +188,7 @@ class Comparison {
 
   const TerrainLayers& layers_;
   VerticalOffset offset_{};
+  std::vector<float> from_seen_m_{};  // of each cell, where density is known
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evaluation/cell_lattice.hpp"
+#include "evaluation/deviation_calibration.hpp"
 #include "evaluation/terrain_errors.hpp"
 
 namespace groundgrid::evaluation {
@@ -31,6 +32,8 @@ struct TerrainLayers {
   std::span<const float> reference_m{};
   /// Greatest density of points that one scan had around the cell, 1/m². Empty where not known.
   std::span<const float> density{};
+  /// Standard deviation that the estimate gives itself, metres. Empty where it gives none.
+  std::span<const float> deviation_m{};
   /// Points in the cell over the drive. Empty where not known.
   std::span<const float> count{};
   /// Distance from the vehicle's path, metres. Empty where not known.
@@ -53,6 +56,12 @@ struct TerrainBin {
   TerrainErrors errors{};
 };
 
+/// Cells of a group whose estimates have a standard deviation.
+struct GroupCalibration {
+  std::string group{};
+  DeviationCalibration figures{};
+};
+
 struct MaskErrors {
   std::string name{};
   TerrainErrors errors{};
@@ -73,6 +82,8 @@ struct TerrainFigures {
   std::optional<ErrorsByDensity> by_density{};
   /// What the paper takes: cells with at least 27 points per m², here over the whole drive.
   std::optional<TerrainErrors> paper{};
+  /// The groups of density, where it is known, and all; empty where there are no deviations.
+  std::vector<GroupCalibration> calibration{};
   std::vector<TerrainBin> by_path_distance{};  ///< Metres; empty where there is no path.
   std::vector<TerrainBin> by_slope{};          ///< Percent, of the reference.
   std::vector<MaskErrors> by_mask{};

@@ -38,17 +38,36 @@ std::string bin_table(const char* name, const std::vector<TerrainBin>& bins) {
   return text;
 }
 
+std::string in_words(const std::string& group) {
+  if (group == "unseen_near") return fmt::format("unseen, seen within {:g} m", kGap_m);
+  return group == "unseen_far" ? std::string("unseen, farther") : group;
+}
+
 std::string density_table(const TerrainFigures& figures) {
   std::string text = heading("all cells");
   if (figures.by_density) {
     const ErrorsByDensity& groups = *figures.by_density;
     text += row("dense", groups.dense);
     text += row("sparse", groups.sparse);
-    text += row(fmt::format("unseen, seen within {:g} m", kGap_m), groups.unseen_near);
-    text += row("unseen, farther", groups.unseen_far);
+    text += row(in_words("unseen_near"), groups.unseen_near);
+    text += row(in_words("unseen_far"), groups.unseen_far);
   }
   text += row("all", figures.all);
   if (figures.paper) text += row("the paper's selection", *figures.paper);
+  return text;
+}
+
+std::string percent(double share) {
+  return std::isnan(share) ? std::string("-") : fmt::format("{:.1f}", 100.0 * share);
+}
+
+std::string calibration_table(const std::vector<GroupCalibration>& groups) {
+  std::string text = fmt::format("{:<28} {:>10} {:>10} {:>10} {:>10}\n", "standard deviation",
+                                 "cells", "median", "% in one", "% in two");
+  for (const GroupCalibration& group : groups)
+    text += fmt::format("{:<28} {:>10} {:>10} {:>10} {:>10}\n", in_words(group.group),
+                        group.figures.cells, metres(group.figures.median_m, "{:.3f}"),
+                        percent(group.figures.within_one), percent(group.figures.within_two));
   return text;
 }
 
@@ -89,6 +108,16 @@ Json density_json(const ErrorsByDensity& groups) {
           {"unseen_far", errors_json(groups.unseen_far)}};
 }
 
+Json calibration_json(const std::vector<GroupCalibration>& groups) {
+  Json json;
+  for (const GroupCalibration& group : groups)
+    json[group.group] = {{"cells", group.figures.cells},
+                         {"median_m", group.figures.median_m},
+                         {"within_one", group.figures.within_one},
+                         {"within_two", group.figures.within_two}};
+  return json;
+}
+
 Json bins_json(const std::vector<TerrainBin>& bins, const char* from, const char* to) {
   Json rows = Json::array();
   for (const TerrainBin& bin : bins) {
@@ -114,6 +143,8 @@ Json masks_json(const std::vector<MaskErrors>& masks) {
 std::string to_table(const TerrainReport& report) {
   const TerrainFigures& figures = report.figures;
   std::string text = fmt::format("{}\n{}", introduction(report), density_table(figures));
+  if (!figures.calibration.empty())
+    text += fmt::format("\n{}", calibration_table(figures.calibration));
   if (!figures.by_path_distance.empty())
     text += fmt::format("\n{}", bin_table("distance from the path, m", figures.by_path_distance));
   text += fmt::format("\n{}", bin_table("slope of the reference, %", figures.by_slope));
@@ -139,6 +170,8 @@ Json to_json(const TerrainReport& report) {
   json["all"] = errors_json(figures.all);
   json["density"] = figures.by_density ? density_json(*figures.by_density) : Json(nullptr);
   json["paper_selection"] = figures.paper ? errors_json(*figures.paper) : Json(nullptr);
+  json["standard_deviation"] =
+      figures.calibration.empty() ? Json(nullptr) : calibration_json(figures.calibration);
   json["path_distance"] = figures.by_path_distance.empty()
                               ? Json(nullptr)
                               : bins_json(figures.by_path_distance, "from_m", "to_m");

@@ -92,6 +92,7 @@ HeightRaster read_height_raster(const std::filesystem::path& path) {
   to_metres(path, *raster, {}, result.heights_m);
   result.count = read_band_named(path, *raster, "count");
   result.density = read_band_named(path, *raster, "density");
+  result.deviation_m = read_band_named(path, *raster, "standard deviation");
   return result;
 }
 

@@ -28,6 +28,8 @@ struct HeightRaster {
   std::vector<float> heights_m{};  ///< Band 1.
   std::vector<float> count{};      ///< Of the band of that name (terrain_raster.hpp), else empty.
   std::vector<float> density{};    ///< The same.
+  /// Of the band "standard deviation", metres; the same.
+  std::vector<float> deviation_m{};
 };
 
 /// Reads a GeoTIFF whose first band holds heights. They are turned into metres where the band or

@@ -20,6 +20,9 @@ struct TerrainPixel {
   float density = kNoData;
 };
 
+/// The band, counted from 0, that comes from the finished surface and not from the scans.
+inline constexpr std::size_t kDeviationBand = 4;
+
 /// One block of a terrain raster with all its bands. GeoTIFF wants row 0 in the north; here cells
 /// keep the numbers that they have on their lattice, with row 0 in the south.
 class TerrainBlock {
@@ -44,13 +47,20 @@ class TerrainBlock {
     pixels_[first + 3 * kPixels] = pixel.density;
   }
 
-  /// Takes the heights of a surface. Confidence is that of a height which a scan showed, so it is 0
-  /// where the surface says another one. False where it has none in this block.
+  /// Takes the heights of a surface and their deviations. Confidence is that of a height which a
+  /// scan showed, so it is 0 where the surface says another one. False where it has none in this
+  /// block.
   bool take_heights(const HeightWindow& surface) {
     bool any = false;
-    for (std::int64_t row = cells_.first_row; row < cells_.end_row; ++row)
-      for (std::int64_t column = cells_.first_column; column < cells_.end_column; ++column)
-        any = take_height(index(column, row), surface.heights[surface.index(column, row)]) || any;
+    for (std::int64_t row = cells_.first_row; row < cells_.end_row; ++row) {
+      for (std::int64_t column = cells_.first_column; column < cells_.end_column; ++column) {
+        const std::size_t pixel = index(column, row);
+        const std::size_t cell = surface.index(column, row);
+        any = take_height(pixel, surface.heights[cell]) || any;
+        const float deviation = surface.deviations[cell];
+        pixels_[pixel + kDeviationBand * kPixels] = std::isnan(deviation) ? kNoData : deviation;
+      }
+    }
     return any;
   }
 

@@ -18,8 +18,11 @@ struct Band {
   const char* name;
   const char* unit;
 };
-constexpr std::array<Band, kTerrainBands> kBands{
-    {{"height", "m"}, {"confidence", ""}, {"count", ""}, {"density", "1/m2"}}};
+constexpr std::array<Band, kTerrainBands> kBands{{{"height", "m"},
+                                                  {"confidence", ""},
+                                                  {"count", ""},
+                                                  {"density", "1/m2"},
+                                                  {"standard deviation", "m"}}};
 
 std::int64_t blocks_over(std::int64_t cells) {
   return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;

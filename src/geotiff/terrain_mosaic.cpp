@@ -221,19 +221,15 @@ void TerrainMosaic::Tiles::finish() const {
                     told_.columns(), told_.rows()},
                    crs_);
   const auto buffer = std::make_unique<MosaicTile>();
-  std::optional<TerrainSurface> completion;
-  if (surface_) completion.emplace(*surface_, cell_size_m_);
+  TerrainSurface completion(surface_, cell_size_m_);
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {
       block.move_to(moved(file.cells_of(column, row), told_.first_column, told_.first_row));
-      bool filled = fill(block, *buffer);
-      if (completion) {
-        HeightWindow window = heights_in(completion->window_around(block.cells()), *buffer);
-        completion->complete(window);
-        filled = block.take_heights(window) || filled;
-      }
-      if (filled) file.write(column, row, block);
+      const bool told = fill(block, *buffer);
+      HeightWindow window = heights_in(completion.window_around(block.cells()), *buffer);
+      completion.complete(window);
+      if (block.take_heights(window) || told) file.write(column, row, block);
     }
   }
   file.commit();

@@ -64,18 +64,15 @@ void write_terrain(const std::filesystem::path& path, const TerrainView& terrain
       reference);
   std::vector<std::uint32_t> points_around;
   count_points_around(terrain, points_around);
-  std::optional<TerrainSurface> completion;
-  if (surface) completion.emplace(*surface, terrain.cell_size_m);
+  TerrainSurface completion(surface, terrain.cell_size_m);
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {
       block.move_to(file.cells_of(column, row));
       fill(block, terrain, points_around);
-      if (completion) {
-        HeightWindow window = heights_of(terrain, completion->window_around(block.cells()));
-        completion->complete(window);
-        block.take_heights(window);
-      }
+      HeightWindow window = heights_of(terrain, completion.window_around(block.cells()));
+      completion.complete(window);
+      block.take_heights(window);
       file.write(column, row, block);
     }
   }

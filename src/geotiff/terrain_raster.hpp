@@ -18,10 +18,12 @@ inline constexpr float kNoData = -9999.0F;
 ///  3 count: points that fell into the cell; over a drive the sum
 ///  4 density: points of one scan per m² of the square of about 1 m² around the cell (3 × 3 cells
 ///    of 0.33 m); over a drive the greatest
-/// Height and confidence are there where a scan showed ground, and where a surface was asked for
-/// also in the gaps that it fills, with confidence 0; count and density also where points fell into
-/// the square and none was ground.
-inline constexpr int kTerrainBands = 4;
+///  5 standard deviation: of the height, metres, from how well planes through the heights around
+///    are known and how far the height stands off them (docs/method.md)
+/// Height, confidence and standard deviation are there where a scan showed ground, and where a
+/// surface was asked for also in the gaps that it fills, with confidence 0; count and density also
+/// where points fell into the square and none was ground.
+inline constexpr int kTerrainBands = 5;
 
 /// Throws std::invalid_argument, naming it, where a CRS cannot be that of a terrain: PROJ does not
 /// understand it, its x and y are not metres, or a GeoTIFF cannot hold it. An empty one is a local

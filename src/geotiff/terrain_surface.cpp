@@ -1,35 +1,52 @@
 #include "geotiff/terrain_surface.hpp"
 
-#include <cpl_string.h>
-#include <gdal_alg.h>
-
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-
-#include "geotiff/gdal_errors.hpp"
-#include "geotiff/geotiff_driver.hpp"
 
 namespace groundgrid::geotiff {
 namespace {
 
-// Passes of a mean over 3×3 cells through what was filled. GDAL's own weights leave steps; with
-// so many passes a gap in a slope is filled along it.
-constexpr int kSmoothing = 30;
+// What lies farther from a window's cells than this changes them by millimetres at most.
+constexpr double kContext_m = 20.0;
+// Over a drive more of what stands about is seen from above: a terrace has to be this wide.
+constexpr double kPlateauArea_m2 = 10.0;
 
-void check(const GdalErrors& errors, bool succeeded) {
-  if (!succeeded) throw std::runtime_error("gaps in the terrain: " + errors.first());
+/// The plane through heights of cells, least squares, from the middle of the square that they are
+/// in; level where they do not span one.
+LocalPlane plane_through(std::span<const std::uint32_t> cells, std::span<const float> heights,
+                         std::int64_t side, double cell_size_m) {
+  Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+  const std::int64_t middle = side / 2;
+  const auto from_middle = [&](std::int64_t i) {
+    return static_cast<double>(i - middle) * cell_size_m;
+  };
+  for (const std::uint32_t cell : cells) {
+    const Eigen::Vector3d place(1.0, from_middle(cell % side), from_middle(cell / side));
+    products += place * place.transpose();
+    sums += place * static_cast<double>(heights[cell]);
+  }
+  // Heights in one line leave the slope across it open: a trace of weight for none settles it.
+  products(1, 1) += 1.0;
+  products(2, 2) += 1.0;
+  const Eigen::Vector3d plane = products.ldlt().solve(sums);
+  return {plane.x(), plane.y(), plane.z()};
 }
 
 }  // namespace
 
-TerrainSurface::TerrainSurface(const SurfaceOptions& options, double cell_size_m)
-    : reach_(std::llround(options.reach_m / cell_size_m)), fill_(options.fill_m / cell_size_m) {
+TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, double cell_size_m)
+    : cell_size_m_(cell_size_m), completes_(options.has_value()) {
+  config_.plateau_area_m2 = kPlateauArea_m2;
+  if (!options) return;
+  reach_ = std::llround(options->reach_m / cell_size_m);
+  fill_ = options->fill_m / cell_size_m;
   for (std::int64_t rows = -reach_; rows <= reach_; ++rows) {
     for (std::int64_t columns = -reach_; columns <= reach_; ++columns) {
       const double distance = std::hypot(static_cast<double>(columns), static_cast<double>(rows));
       if (distance == 0.0 || distance > static_cast<double>(reach_)) continue;
-      const double rise = options.step_m + options.max_slope * distance * cell_size_m;
+      const double rise = options->step_m + options->max_slope * distance * cell_size_m;
       neighbours_.push_back({columns, rows, static_cast<float>(rise)});
     }
   }
@@ -39,14 +56,16 @@ TerrainSurface::TerrainSurface(const SurfaceOptions& options, double cell_size_m
 }
 
 CellRange TerrainSurface::window_around(const CellRange& cells) const {
-  const std::int64_t margin = reach_ + static_cast<std::int64_t>(std::ceil(fill_)) + kSmoothing;
+  const auto margin = static_cast<std::int64_t>(std::ceil(kContext_m / cell_size_m_));
   return {cells.first_column - margin, cells.end_column + margin, cells.first_row - margin,
           cells.end_row + margin};
 }
 
-void TerrainSurface::complete(HeightWindow& window) const {
-  remove_raised(window);
-  if (fill_ > 0.0) fill_gaps(window);
+void TerrainSurface::complete(HeightWindow& window) {
+  const auto is_known = [](float height) { return !std::isnan(height); };
+  if (std::none_of(window.heights.begin(), window.heights.end(), is_known)) return;
+  if (completes_) remove_raised(window);
+  fit(window);
 }
 
 bool TerrainSurface::is_raised(const HeightWindow& window, std::int64_t column,
@@ -71,31 +90,71 @@ void TerrainSurface::remove_raised(HeightWindow& window) const {
   for (const std::size_t cell : raised) window.heights[cell] = std::nanf("");
 }
 
-void TerrainSurface::fill_gaps(HeightWindow& window) const {
-  const auto is_known = [](float height) { return !std::isnan(height); };
-  if (std::none_of(window.heights.begin(), window.heights.end(), is_known)) return;
-  std::vector<std::uint8_t> known(window.heights.size());
-  std::transform(window.heights.begin(), window.heights.end(), known.begin(), is_known);
-  const int columns = static_cast<int>(window.cells.columns());
-  const int rows = static_cast<int>(window.cells.rows());
-  const GdalErrors errors;
-  const DatasetPtr heights(memory_driver().Create("", columns, rows, 1, GDT_Float32, nullptr));
-  const DatasetPtr mask(memory_driver().Create("", columns, rows, 1, GDT_Byte, nullptr));
-  check(errors, heights != nullptr && mask != nullptr);
-  GDALRasterBand& band = *heights->GetRasterBand(1);
-  GDALRasterBand& mask_band = *mask->GetRasterBand(1);
-  const auto transfer = [&](GDALRWFlag direction) {
-    check(errors, band.RasterIO(direction, 0, 0, columns, rows, window.heights.data(), columns,
-                                rows, GDT_Float32, 0, 0, nullptr) == CE_None);
+void TerrainSurface::make_room(const HeightWindow& window) {
+  const std::int64_t longer = std::max(window.cells.columns(), window.cells.rows());
+  const std::int64_t side = longer + (longer + 1) % 2;
+  if (side != side_) {
+    side_ = side;
+    planes_.emplace(static_cast<int>(side), cell_size_m_);
+    const auto cells = static_cast<std::size_t>(side * side);
+    heights_.resize(cells);
+    deviations_.resize(cells);
+    near_.resize(cells);
+  }
+  planes_->clear();
+  std::fill(heights_.begin(), heights_.end(), 0.0F);
+}
+
+/// Marks the cells that are so near to known ones that they may be filled.
+void TerrainSurface::spread_known(const HeightWindow& window) {
+  std::fill(near_.begin(), near_.end(), std::uint8_t{0});
+  const auto reach = static_cast<std::int64_t>(fill_);
+  for (std::int64_t row = window.cells.first_row; row < window.cells.end_row; ++row) {
+    for (std::int64_t column = window.cells.first_column; column < window.cells.end_column;
+         ++column) {
+      if (!planes_->is_ground(static_cast<std::uint32_t>(in_square(window, column, row)))) continue;
+      for (std::int64_t y = std::max(row - reach, window.cells.first_row);
+           y <= std::min(row + reach, window.cells.end_row - 1); ++y) {
+        const auto rows = static_cast<double>(y - row);
+        const auto half = static_cast<std::int64_t>(std::sqrt(fill_ * fill_ - rows * rows));
+        const std::int64_t first = std::max(column - half, window.cells.first_column);
+        const std::int64_t last = std::min(column + half, window.cells.end_column - 1);
+        std::uint8_t* const begin = near_.data() + in_square(window, first, y);
+        std::fill(begin, begin + (last - first + 1), std::uint8_t{1});
+      }
+    }
+  }
+}
+
+void TerrainSurface::fit(HeightWindow& window) {
+  make_room(window);
+  std::optional<float> base;
+  const auto for_each_cell = [&](const auto& visit) {
+    for (std::int64_t row = window.cells.first_row; row < window.cells.end_row; ++row)
+      for (std::int64_t column = window.cells.first_column; column < window.cells.end_column;
+           ++column)
+        visit(window.index(column, row),
+              static_cast<std::uint32_t>(in_square(window, column, row)));
   };
-  transfer(GF_Write);
-  check(errors, mask_band.RasterIO(GF_Write, 0, 0, columns, rows, known.data(), columns, rows,
-                                   GDT_Byte, 0, 0, nullptr) == CE_None);
-  CPLStringList options;
-  options.SetNameValue("TEMP_FILE_DRIVER", "MEM");
-  check(errors, GDALFillNodata(&band, &mask_band, fill_, 0, kSmoothing, options.List(), nullptr,
-                               nullptr) == CE_None);
-  transfer(GF_Read);
+  for_each_cell([&](std::size_t own, std::uint32_t cell) {
+    if (std::isnan(window.heights[own])) return;
+    if (!base) base = window.heights[own];
+    heights_[cell] = window.heights[own] - *base;
+    planes_->add(cell, heights_[cell]);
+  });
+  const LocalPlane top = plane_through(planes_->told(), heights_, side_, cell_size_m_);
+  if (completes_) planes_->reject_raised(top, config_);
+  planes_->fit(heights_, top);
+  spread_known(window);
+  for_each_cell([&](std::size_t own, std::uint32_t cell) {
+    if (planes_->is_ground(cell)) return;
+    heights_[cell] = planes_->surface()[cell];
+    window.heights[own] = near_[cell] != 0 ? heights_[cell] + *base : std::nanf("");
+  });
+  planes_->standard_deviation(heights_, config_, deviations_);
+  for_each_cell([&](std::size_t own, std::uint32_t cell) {
+    if (!std::isnan(window.heights[own])) window.deviations[own] = deviations_[cell];
+  });
 }
 
 }  // namespace groundgrid::geotiff

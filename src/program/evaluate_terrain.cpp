@@ -102,6 +102,7 @@ class TerrainEvaluation {
            .expected = "a terrain with a band 'density', as segment --terrain writes it",
            .got = "none of that name"});
     terrain_.heights_m = resample(options_.map, {});
+    terrain_.deviation_m.clear();  // of the terrain that gives the groups, not of this one
   }
 
   [[nodiscard]] std::optional<LengthUnit> unit() const {
@@ -120,6 +121,7 @@ class TerrainEvaluation {
                                      .estimated_m = terrain_.heights_m,
                                      .reference_m = reference_m_,
                                      .density = terrain_.density,
+                                     .deviation_m = terrain_.deviation_m,
                                      .count = terrain_.count,
                                      .path_distance_m = path_distance_m_};
     for (const NamedLayer& mask : masks_) layers.masks.push_back({mask.name, mask.values});

@@ -77,11 +77,12 @@ TEST(TerrainMosaic, WeighsHeightsByConfidenceWhereWindowsOverlap) {
 
 TEST(TerrainMosaic, SaysWhatItsBandsAre) {
   const Raster raster = mosaic_of({noisy_map(2, 0.0, 0.0, 1)}, "EPSG:32632");
-  ASSERT_EQ(raster.bands.size(), 4U);
+  ASSERT_EQ(raster.bands.size(), 5U);
   EXPECT_EQ(raster.bands[0].name, "height");
   EXPECT_EQ(raster.bands[1].name, "confidence");
   EXPECT_EQ(raster.bands[2].name, "count");
   EXPECT_EQ(raster.bands[3].name, "density");
+  EXPECT_EQ(raster.bands[4].name, "standard deviation");
   for (const Raster::Band& band : raster.bands) EXPECT_EQ(band.no_data, -9999.0);
   EXPECT_EQ(raster.epsg, "EPSG:32632");
 }

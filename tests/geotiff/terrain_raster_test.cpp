@@ -73,10 +73,12 @@ TEST(TerrainRaster, IsNorthUpWithPixelsOfACell) {
   const std::vector<float> points_around{62.0F, 96.0F,  66.0F,  //
                                          63.0F, 104.0F, 74.0F,  //
                                          22.0F, 41.0F,  31.0F};
-  ASSERT_EQ(raster.bands.size(), 4U);
+  ASSERT_EQ(raster.bands.size(), 5U);
   EXPECT_EQ(raster.bands[0].pixels, height);
   EXPECT_EQ(raster.bands[1].pixels, confidence);
   EXPECT_EQ(raster.bands[2].pixels, count);
+  for (std::size_t pixel = 0; pixel < height.size(); ++pixel)
+    EXPECT_EQ(raster.bands[4].pixels[pixel] == kNoData, height[pixel] == kNoData) << pixel;
   for (std::size_t pixel = 0; pixel < points_around.size(); ++pixel)
     EXPECT_FLOAT_EQ(raster.bands[3].pixels[pixel] * 2.25F, points_around[pixel]) << pixel;
 }
@@ -85,15 +87,17 @@ TEST(TerrainRaster, SaysWhatItsBandsAre) {
   const test::TemporaryFolder folder;
   write_terrain(folder / "a.tif", nine_cells().view());
   const Raster raster = read_raster(folder / "a.tif");
-  ASSERT_EQ(raster.bands.size(), 4U);
+  ASSERT_EQ(raster.bands.size(), 5U);
   EXPECT_EQ(raster.bands[0].name, "height");
   EXPECT_EQ(raster.bands[1].name, "confidence");
   EXPECT_EQ(raster.bands[2].name, "count");
   EXPECT_EQ(raster.bands[3].name, "density");
+  EXPECT_EQ(raster.bands[4].name, "standard deviation");
   EXPECT_EQ(raster.bands[0].unit, "m");
   EXPECT_EQ(raster.bands[1].unit, "");
   EXPECT_EQ(raster.bands[2].unit, "");
   EXPECT_EQ(raster.bands[3].unit, "1/m2");
+  EXPECT_EQ(raster.bands[4].unit, "m");
   for (const Raster::Band& band : raster.bands) {
     EXPECT_EQ(band.type, "Float32");
     EXPECT_TRUE(band.has_no_data);

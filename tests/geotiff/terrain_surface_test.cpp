@@ -50,13 +50,29 @@ TEST(TerrainSurface, LeavesGroundAsItIsBitForBit) {
 
 TEST(TerrainSurface, TakesOutWhatRisesFasterThanGroundDoes) {
   // A step of 0.15 m and a slope of 0.5 let a cell lie 0.4 m above its neighbour 0.5 m away.
-  const auto peak = [](float height) {
-    return surface_of({0, 11, 0, 11}, [height](std::int64_t column, std::int64_t row) {
+  SurfaceOptions options;
+  options.step_m = 0.15;
+  options.max_slope = 0.5;
+  const auto peak = [&options](float height) {
+    const HeightAt meadow = [height](std::int64_t column, std::int64_t row) {
       return column == 5 && row == 5 ? height : 2.0F;
+    };
+    return surface_of({0, 11, 0, 11}, meadow, options);
+  };
+  EXPECT_EQ(at(peak(2.29F), 5, 5), 2.29F);
+  EXPECT_NEAR(at(peak(2.41F), 5, 5), 2.0F, 1e-5F);
+}
+
+TEST(TerrainSurface, TakesOutWhatStandsAboveTheSurfaceButNotTerraces) {
+  // Both rise by 0.2 m a cell up to 0.6 m, which the neighbours alone allow.
+  const auto mound = [](std::int64_t half) {
+    return surface_of({-40, 41, -40, 41}, [half](std::int64_t column, std::int64_t row) {
+      const std::int64_t from_top = std::max(std::abs(column), std::abs(row)) - half;
+      return std::clamp(0.6F - 0.2F * static_cast<float>(from_top), 0.0F, 0.6F);
     });
   };
-  EXPECT_EQ(at(peak(2.39F), 5, 5), 2.39F);
-  EXPECT_EQ(at(peak(2.41F), 5, 5), 2.0F);
+  EXPECT_LT(at(mound(0), 0, 0), 0.3F);
+  EXPECT_EQ(at(mound(8), 0, 0), 0.6F);
 }
 
 TEST(TerrainSurface, HoldsCellsAgainstThoseInReachOnly) {
@@ -66,6 +82,7 @@ TEST(TerrainSurface, HoldsCellsAgainstThoseInReachOnly) {
   };
   SurfaceOptions options;
   options.fill_m = 0.0;
+  options.reach_m = 2.0;
   const HeightWindow surface = surface_of({-8, 12, 0, 9}, plateau, options);
   EXPECT_TRUE(std::isnan(at(surface, 1, 4)));
   EXPECT_TRUE(std::isnan(at(surface, 4, 4)));
@@ -89,16 +106,16 @@ TEST(TerrainSurface, FillsNoFartherThanAsked) {
   SurfaceOptions options;
   options.fill_m = 2.0;
   const HeightWindow surface = surface_of({-6, 10, 0, 12}, half, options);
-  EXPECT_EQ(at(surface, 3, 6), 1.0F);
+  EXPECT_NEAR(at(surface, 3, 6), 1.0F, 1e-5F);
   EXPECT_TRUE(std::isnan(at(surface, 5, 6)));
 }
 
-TEST(TerrainSurface, IsTheSameWindowByWindow) {
+TEST(TerrainSurface, IsTheSameWindowByWindowToAMillimetre) {
   const HeightAt hills = [](std::int64_t column, std::int64_t row) {
     const auto mixed = static_cast<std::uint64_t>(column * 7919 + row * 104729 + 1000003) % 101;
-    return mixed < 40 ? kGap : 0.012F * static_cast<float>(mixed);
+    return mixed < 40 ? kGap : 0.012F * static_cast<float>(mixed % 10);
   };
-  const TerrainSurface surface({}, kCell_m);
+  TerrainSurface surface(SurfaceOptions{}, kCell_m);
   HeightWindow whole = window_of(surface.window_around({0, 60, 0, 60}), hills);
   surface.complete(whole);
   for (const CellRange& part : {CellRange{0, 30, 0, 60}, CellRange{30, 60, 0, 60}}) {
@@ -106,8 +123,39 @@ TEST(TerrainSurface, IsTheSameWindowByWindow) {
     surface.complete(window);
     for (std::int64_t row = part.first_row; row < part.end_row; ++row)
       for (std::int64_t column = part.first_column; column < part.end_column; ++column)
-        ASSERT_EQ(at(window, column, row), at(whole, column, row)) << column << ' ' << row;
+        ASSERT_NEAR(at(window, column, row), at(whole, column, row), 1e-3F) << column << ' ' << row;
   }
+}
+
+TEST(TerrainSurface, DeviationsGrowIntoGapsAndAreNowhereElse) {
+  const HeightAt gap = [](std::int64_t column, std::int64_t) {
+    return column < 20 || column >= 32 ? 1.0F : kGap;
+  };
+  SurfaceOptions options;
+  options.fill_m = 2.0;
+  const HeightWindow surface = surface_of({0, 52, 0, 52}, gap, options);
+  const auto deviation = [&surface](std::int64_t column) {
+    return surface.deviations[surface.index(column, 26)];
+  };
+  EXPECT_GT(deviation(10), 0.0F);
+  EXPECT_LT(deviation(10), 0.1F);
+  EXPECT_GT(deviation(22), deviation(10));
+  EXPECT_TRUE(std::isnan(deviation(26)));  // more than 2 m from both sides
+  EXPECT_TRUE(std::isnan(at(surface, 26, 26)));
+}
+
+TEST(TerrainSurface, WithoutOptionsHeightsStayAndHaveDeviations) {
+  const HeightAt peak = [](std::int64_t column, std::int64_t row) {
+    if (column == 3 && row == 3) return kGap;
+    return column == 5 && row == 5 ? 9.0F : 2.0F;
+  };
+  HeightWindow surface = window_of({0, 11, 0, 11}, peak);
+  TerrainSurface(std::nullopt, kCell_m).complete(surface);
+  EXPECT_EQ(at(surface, 5, 5), 9.0F);
+  EXPECT_TRUE(std::isnan(at(surface, 3, 3)));
+  EXPECT_TRUE(std::isnan(surface.deviations[surface.index(3, 3)]));
+  EXPECT_GT(surface.deviations[surface.index(5, 5)], 3.0F) << "far off the plane around it";
+  EXPECT_GT(surface.deviations[surface.index(9, 9)], 0.0F);
 }
 
 TEST(TerrainSurface, WithoutAnyHeightThereIsNone) {
@@ -132,7 +180,7 @@ void expect_completed(const test::Raster& raster) {
   const std::vector<float>& confidence = raster.bands[1].pixels;
   const std::vector<float>& count = raster.bands[2].pixels;
   ASSERT_EQ(height.size(), 49U);
-  EXPECT_EQ(height, std::vector<float>(49, 1.0F));
+  for (const float pixel : height) EXPECT_NEAR(pixel, 1.0F, 1e-5F);
   EXPECT_EQ(count, std::vector<float>(49, 3.0F));
   for (std::size_t i = 0; i < 49; ++i)
     EXPECT_EQ(confidence[i], i == 23 || i == 25 ? 0.0F : 0.5F) << i;

@@ -69,6 +69,7 @@ TEST_F(EvaluateTerrain, PrintsATable) {
   EXPECT_TRUE(contains(run.output,
                        "\nall                                 400        400     100.00 "
                        "   0.250    0.250   -0.250    0.250\n"));
+  EXPECT_TRUE(contains(run.output, "\nstandard deviation "));
   EXPECT_TRUE(contains(run.output, "\n0-5 "));
   EXPECT_EQ(run.output.find("distance from the path"), std::string::npos);
   std::istringstream lines(run.output.substr(run.output.find("\n\n")));
@@ -89,6 +90,10 @@ TEST_F(EvaluateTerrain, PrintsJson) {
   // 27 points per m² are three in a cell.
   EXPECT_EQ(result["paper_selection"]["cells"], 200);
   EXPECT_NEAR(result["all"]["rmse_m"].get<double>(), 0.25, 1e-6);
+  // Every height has a deviation, most of them far less than the quarter of a metre it is off.
+  EXPECT_EQ(result["standard_deviation"]["all"]["cells"], 400);
+  EXPECT_LT(result["standard_deviation"]["dense"]["within_two"].get<double>(), 0.25);
+  EXPECT_LT(result["standard_deviation"]["dense"]["median_m"].get<double>(), 0.1);
   EXPECT_TRUE(result["remarks"].empty());
 }
 

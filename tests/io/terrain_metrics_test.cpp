@@ -23,6 +23,7 @@ struct Terrain {
     layers.estimated_m = estimated;
     layers.reference_m = reference;
     layers.density = density;
+    layers.deviation_m = deviation;
     layers.count = count;
     layers.path_distance_m = path_distance;
     return layers;
@@ -38,9 +39,48 @@ struct Terrain {
   std::vector<float> estimated = std::vector<float>(100, 20.0F);
   std::vector<float> reference = std::vector<float>(100, 20.0F);
   std::vector<float> density{};
+  std::vector<float> deviation{};
   std::vector<float> count{};
   std::vector<float> path_distance{};
 };
+
+TEST(TerrainMetrics, JudgesStandardDeviationsByDensity) {
+  Terrain terrain;
+  terrain.density = std::vector<float>(100, 0.0F);
+  terrain.deviation = std::vector<float>(100, 0.2F);
+  // Column 0 is dense and 0.1 m off, column 1 sparse and 0.3 m off; one cell says nothing.
+  for (int row = 0; row < 10; ++row) {
+    terrain.at(terrain.density, 0, row) = 30.0F;
+    terrain.at(terrain.estimated, 0, row) = 20.1F;
+    terrain.at(terrain.density, 1, row) = 3.0F;
+    terrain.at(terrain.estimated, 1, row) = 20.3F;
+  }
+  terrain.at(terrain.deviation, 0, 4) = kNone;
+  const std::vector<GroupCalibration> groups = terrain.figures().calibration;
+  ASSERT_EQ(groups.size(), 5U);
+  EXPECT_EQ(groups[0].group, "dense");
+  EXPECT_EQ(groups[0].figures.cells, 9U);
+  EXPECT_DOUBLE_EQ(groups[0].figures.within_one, 1.0);
+  EXPECT_EQ(groups[1].group, "sparse");
+  EXPECT_DOUBLE_EQ(groups[1].figures.within_one, 0.0);
+  EXPECT_DOUBLE_EQ(groups[1].figures.within_two, 1.0);
+  // Columns 2 to 5 are within 2 m of column 1.
+  EXPECT_EQ(groups[2].group, "unseen_near");
+  EXPECT_EQ(groups[2].figures.cells, 40U);
+  EXPECT_EQ(groups[3].group, "unseen_far");
+  EXPECT_EQ(groups[3].figures.cells, 40U);
+  EXPECT_EQ(groups[4].group, "all");
+  EXPECT_NEAR(groups[4].figures.within_one, 89.0 / 99.0, 1e-12);
+}
+
+TEST(TerrainMetrics, WithTheOffsetTakenOutDeviationsAreJudgedWithoutIt) {
+  Terrain terrain;
+  terrain.deviation = std::vector<float>(100, 0.1F);
+  for (float& height : terrain.estimated) height += 0.25F;
+  EXPECT_DOUBLE_EQ(terrain.figures().calibration.back().figures.within_two, 0.0);
+  EXPECT_DOUBLE_EQ(terrain.figures(OffsetUse::taken_out).calibration.back().figures.within_one,
+                   1.0);
+}
 
 TEST(TerrainMetrics, OfAPlaneThatIsTooHigh) {
   Terrain terrain;

@@ -53,6 +53,18 @@ TEST_F(PlaneHierarchyTest, WithoutHeightsTheExpectedPlaneGoesOn) {
   }
 }
 
+TEST_F(PlaneHierarchyTest, OneHeightNarrowsTheVarianceByItsShare) {
+  make(5);
+  set(0, 0, 1.0);
+  PlaneHierarchy planes(size, 1.0);
+  planes.fit(weights, heights, {}, 0);
+  planes.evaluate_variance(0, surface);
+  // 0.25 m² was expected, 0.0234 m² is that of the height; slopes of ± 0.1 stay.
+  EXPECT_NEAR(at(0, 0), 0.25 * 0.0234 / (0.25 + 0.0234), 1e-6);
+  EXPECT_NEAR(at(2, 0), at(0, 0) + 4.0 * 0.01, 1e-6);
+  EXPECT_NEAR(at(-1, 2), at(0, 0) + 1.0 * 0.01 + 4.0 * 0.01, 1e-6);
+}
+
 TEST_F(PlaneHierarchyTest, OneHeightMovesTheExpectedPlaneByItsShare) {
   make(5);  // one block
   set(0, 0, 1.0);
