@@ -2,16 +2,20 @@
 .DEFAULT_GOAL := help
 SHELL := /bin/bash
 
-# A dataset in SemanticKITTI/KITTI odometry layout, for `make reproduce`, `figures` and `bench`.
+# A dataset in SemanticKITTI/KITTI odometry layout, for `make reproduce`, `figures`, `bench` and
+# `peers`.
 DATA ?=
 # More for every configure step, e.g. CMAKE_FLAGS=-DGROUNDGRID_WERROR=ON
 CMAKE_FLAGS ?=
 JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
+# More for `make peers`, e.g. --repetitions 7 --csv peers.csv; see compare.py --help.
+PEERS_FLAGS ?=
 
-.PHONY: help test demo reproduce figures bench asan tsan coverage fuzz format check-format tidy clean
+.PHONY: help test demo reproduce figures bench peers asan tsan coverage fuzz
+.PHONY: format check-format tidy clean
 .PHONY: build-dependencies lint-dependencies bench-dependencies
-.PHONY: coverage-dependencies fuzz-dependencies
+.PHONY: coverage-dependencies fuzz-dependencies peers-dependencies
 
 help: ## List the targets
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /|/' | \
@@ -45,6 +49,16 @@ bench: bench-dependencies ## Time every stage and the whole scan: medians of sev
 	cmake --build --preset bench --parallel $(JOBS) --target groundgrid_benchmarks
 	$(if $(DATA),GROUNDGRID_DATA="$(DATA)") build/bench/benchmarks/groundgrid_benchmarks \
 	  --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
+
+peers: peers-dependencies build/peers/installed ## Compare with the open peers on DATA
+	cmake --preset release $(CMAKE_FLAGS)
+	cmake --build --preset release --parallel $(JOBS) --target groundgrid_executable
+	build/peers/bin/python benchmarks/peers/compare.py $(DATA) $(PEERS_FLAGS)
+
+build/peers/installed: benchmarks/peers/requirements.txt | peers-dependencies
+	/usr/bin/python3 -m venv build/peers
+	build/peers/bin/pip install --quiet --requirement $<
+	touch $@
 
 asan: fuzz-dependencies
 tsan: build-dependencies
@@ -87,6 +101,9 @@ lint-dependencies:
 
 bench-dependencies:
 	@scripts/install_dependencies.sh build bench
+
+peers-dependencies:
+	@scripts/install_dependencies.sh build peers
 
 coverage-dependencies:
 	@scripts/install_dependencies.sh build coverage

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing for the groups given: build, bench, coverage, fuzz,
-# lint. Where none is missing apt is not called at all.
+# lint, peers. Where none is missing apt is not called at all.
 set -euo pipefail
 
 packages_of() {
@@ -9,11 +9,12 @@ packages_of() {
                 libfmt-dev nlohmann-json3-dev libtoml11-dev liblzf-dev libgtest-dev \
                 libgdal-dev libembree-dev libyaml-cpp-dev pkg-config \
                 libcairo2-dev fonts-dejavu-core libegl-dev libopengl-dev libgl-dev \
-                libgl1-mesa-dri libgif-dev ;;
+                libgl1-mesa-dri libgif-dev python3-numpy ;;
     bench) echo libbenchmark-dev ;;
     coverage) echo gcovr ;;
     fuzz) echo clang-14 libclang-rt-14-dev ;;
     lint) echo clang-format-14 clang-tidy-14 ;;
+    peers) echo python3-venv libusb-1.0-0 ;;
     *) echo "install_dependencies.sh: unknown group '$1'" >&2; return 2 ;;
   esac
 }
