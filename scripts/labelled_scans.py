@@ -1,5 +1,5 @@
 """Scans and labels in SemanticKITTI layout, and IoU as docs/evaluation.md defines it: what the
-scripts beside this one share."""
+scripts beside this one and benchmarks/peers share."""
 
 import numpy as np
 

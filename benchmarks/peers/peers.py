@@ -99,7 +99,7 @@ class Linefit:
 
 
 class Travel:
-    """Finds the height of the sensor itself."""
+    """Needs no height of the sensor."""
 
     def __init__(self, _):
         self._method = package("travel_seg", "TRAVEL").TravelGroundSeg()

@@ -55,10 +55,10 @@ def draw_accuracy(results, path):
                       MARKERS[i % len(MARKERS)], color=COLORS[i % len(COLORS)], markersize=6,
                       label=title)
         axis.plot([100 - rows[method]["mean"] for method in order], range(len(order)), "|",
-                  color="black", markersize=15, markeredgewidth=2, label="mean")
+                  color="black", markersize=15, markeredgewidth=2, label="mean", zorder=1)
         axis.set_yticks(range(len(order)), order)
         set_iou_axis(axis, "x", [value for row in rows.values() for value in row.values()])
-        axis.set_xlabel("IoU of ground, percent")
+        axis.set_xlabel("IoU of ground up to 50 m, percent")
         axis.set_title(group_name(simulated))
         axis.legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1))
     save(figure, path)
@@ -109,7 +109,7 @@ def draw_time(results, path):
         set_iou_axis(axis, "y", list(means.values()))
         axis.set_xlabel("milliseconds a scan, median, one core")
         axis.set_title(group_name(simulated))
-    axes[0, 0].set_ylabel("mean IoU of ground, percent")
+    axes[0, 0].set_ylabel("mean IoU of ground up to 50 m, percent")
     axes[0, -1].legend(fontsize="small", loc="upper left", bbox_to_anchor=(1.01, 1),
                        title="filled: method alone\nhollow: called from Python",
                        title_fontsize="small", alignment="left")

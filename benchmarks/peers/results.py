@@ -22,6 +22,15 @@ def added(all_counts):
     return {name: sum(counts[name] for counts in all_counts) for name in COUNTS}
 
 
+def near_parts(figures):
+    """By distance, up to 50 m: there every method answers, and SemanticKITTI has its labels."""
+    return [part for part in figures["distances"] if part["to_m"]]
+
+
+def near(figures):
+    return added([counts_of(part) for part in near_parts(figures)])
+
+
 def distance_name(part):
     return f"{part['from_m']:g}-{part['to_m']:g} m" if part["to_m"] else f"{part['from_m']:g}+ m"
 
@@ -64,17 +73,26 @@ class Results:
         """Whether simulated, of those that there are."""
         return sorted({result.sequence.simulated for result in self.all})
 
-    def ious(self, method, simulated):
+    def ious(self, method, simulated, counts=near):
         """By title of the sequence, and their mean."""
-        values = {result.sequence.title: iou(result.figures)
+        values = {result.sequence.title: iou(counts(result.figures))
                   for result in self.of(method, simulated)}
         return {**values, "mean": float(np.mean(list(values.values())))}
+
+    def ious_table(self, simulated, counts=near):
+        return ious_table({method: self.ious(method, simulated, counts)
+                           for method in self.methods})
+
+    def reaches_far(self, simulated):
+        """Whether there are points beyond 50 m that count."""
+        return any(near(result.figures) != counts_of(result.figures)
+                   for method in self.methods for result in self.of(method, simulated))
 
     def distance_ious(self, method, simulated):
         """All points of the sequences pooled."""
         parts = {}
         for result in self.of(method, simulated):
-            for part in result.figures["distances"]:
+            for part in near_parts(result.figures):
                 parts.setdefault(distance_name(part), []).append(counts_of(part))
         return {name: iou(added(counts)) for name, counts in parts.items()}
 
@@ -133,10 +151,12 @@ def text(results):
     parts = []
     for simulated in results.groups:
         name = group_name(simulated)
-        parts += [f"IoU of ground in percent, {name}", ious_table(
-            {method: results.ious(method, simulated) for method in results.methods})]
+        parts += [f"IoU of ground in percent up to 50 m, {name}", results.ious_table(simulated)]
         parts += [f"IoU by distance, points pooled, {name}", ious_table(
             {method: results.distance_ious(method, simulated) for method in results.methods})]
+        if results.reaches_far(simulated):
+            parts += [f"IoU of ground in percent at all distances, {name}",
+                      results.ious_table(simulated, counts_of)]
         unanswered = {method: results.unanswered(method, simulated) for method in results.methods}
         parts += [f"{method} leaves {share:.2f} % of the points of the {name} unanswered: "
                   "counted nowhere" for method, share in unanswered.items() if share > 0]
@@ -167,7 +187,8 @@ def to_json(results):
 
 
 def write_csv(results, path):
-    """A row for each method, sequence and distance, and one for all distances, with the times."""
+    """A row for each method, sequence and distance, one for all up to 50 m, and one for all
+    distances, which has the times."""
     with open(path, "w", newline="") as file:
         writer = csv.writer(file)
         times = list(times_summary(results.all[0]))
@@ -176,7 +197,7 @@ def write_csv(results, path):
         for result in results.all:
             heading = [result.method, result.sequence.dataset, result.sequence.name,
                        result.sequence.title]
-            for name, part in [("all", result.figures)] + [
+            for name, part in [("all", result.figures), ("0-50 m", near(result.figures))] + [
                     (distance_name(part), part) for part in result.figures["distances"]]:
                 own_times = times_summary(result).values() if name == "all" else [None] * len(times)
                 writer.writerow([*heading, name, f"{iou(part):.4f}", *counts_of(part).values(),

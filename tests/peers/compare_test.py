@@ -113,6 +113,18 @@ class CompareTest(unittest.TestCase):
         self.assertIn("| | 0-10 m | 10-20 m |\n", printed)
         self.assertIn("| everything | **66.67** | **33.33** |\n", printed)
 
+    def test_only_points_up_to_50_m_count_for_the_first_table(self):
+        write_sequence(self.data, "00", [[(1, -2, 40), (60, -2, 50)]])
+        printed = self.run_compare(self.data, "--methods", "everything")
+        first, whole = printed.split("at all distances")
+        self.assertIn("| everything | **100.00** | **100.00** |", first)
+        self.assertIn("| everything | **50.00** | **50.00** |", whole)
+        self.assertNotIn("50+", printed)
+
+    def test_there_is_one_table_where_no_point_is_farther(self):
+        write_sequence(self.data, "00", [RIGHT])
+        self.assertNotIn("at all distances", self.run_compare(self.data, "--methods", "below"))
+
     def test_predictions_of_another_method_join(self):
         write_sequence(self.data, "00", [RIGHT])
         write_predictions(self.folder / "other", "00", [[50, 40]])
@@ -145,8 +157,8 @@ class CompareTest(unittest.TestCase):
 
         printed = self.run_compare(self.data, "--methods", "below", fakes={"below": recording})
         self.assertEqual(heights, [1.73, 1.2])
-        self.assertIn("real scans\n\n| | 00 | mean |", printed)
-        self.assertIn("simulated drives\n\n| | hill | mean |", printed)
+        self.assertIn("up to 50 m, real scans\n\n| | 00 | mean |", printed)
+        self.assertIn("up to 50 m, simulated drives\n\n| | hill | mean |", printed)
 
     def test_methods_take_turns_in_going_first_and_start_anew(self):
         write_sequence(self.data, "00", [RIGHT])
