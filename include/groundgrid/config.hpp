@@ -120,6 +120,8 @@ struct GROUNDGRID_EXPORT Config {
   double tall_threshold_m = 0.06;
   /// Points up to this far above the map make the mean that heights are measured from. (m)
   double level_band_m = 0.15;
+  /// Steps of the ground higher than this, such as kerbs, are obstacles; 0: none is. (m)
+  double max_step_m = 0.0;
 
   // Execution
   /// Threads to use; 0 for one per core.

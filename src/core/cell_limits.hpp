@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,6 +36,12 @@ class CellLimits {
   void choose_by_column(const BinnedPoints& bins, std::span<const Label> labels,
                         const ScanGrid& grid, const ElevationMap& map, const Config& config,
                         TileRunner& runner);
+
+  /// Lets the cell's ground end at this height above the z origin, metres, if it does not before.
+  void lower(std::uint32_t cell, float height) {
+    CellLimit& limit = limits_[cell];
+    limit.threshold = std::min(limit.threshold, height - limit.level);
+  }
 
   /// One a cell of the window; only those of occupied cells are of this scan.
   [[nodiscard]] const std::vector<CellLimit>& limits() const { return limits_; }

@@ -17,6 +17,7 @@
 #include "core/parallel.hpp"
 #include "core/rasterization.hpp"
 #include "core/segmentation.hpp"
+#include "core/step_edges.hpp"
 
 namespace groundgrid {
 namespace {
@@ -53,7 +54,8 @@ class GroundGrid::Pipeline {
         ground_cells_(map_.cells()),
         envelope_(map_),
         surface_(map_),
-        limits_(map_.cells()) {}
+        limits_(map_.cells()),
+        step_edges_(map_) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
                      const ScanOutput* output);
@@ -97,6 +99,7 @@ class GroundGrid::Pipeline {
   GroundEnvelope envelope_;
   GroundSurface surface_;
   CellLimits limits_;
+  StepEdges step_edges_;
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
   std::size_t sensors_ = 0;         // how many of them this scan has
@@ -240,6 +243,8 @@ void GroundGrid::Pipeline::run_stages() {
     limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
   else
     limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
+  if (config_.max_step_m > 0.0)
+    step_edges_.lower_limits(bins_, labels_, grid_, config_, runner_, limits_);
   segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
 }
 

@@ -119,6 +119,8 @@ constexpr std::array kParameters{
               "Greatest height of a ground point where something rises from the ground."},
     Parameter{"level_band_m", &Config::level_band_m, "m", 0.0, 10.0, "", "segmentation",
               "Points up to this far above the map make the mean that heights are measured from."},
+    Parameter{"max_step_m", &Config::max_step_m, "m", 0.0, 10.0, "", "segmentation",
+              "Steps of the ground higher than this, such as kerbs, are obstacles; 0: none is."},
     // Execution
     Parameter{"threads", &Config::threads, "", 0.0, 1024.0, "", "execution",
               "Threads to use; 0 for one per core."},

@@ -85,6 +85,79 @@ TEST_P(BothPresets, KerbAndPavementAreGround) {
   expect_right(drive(grid, scene, {}, kRoofMount), 0.97);
 }
 
+/// Ground points of a street with a kerb of 0.12 m at y = 4 m, by where they are.
+struct KerbLabels {
+  std::size_t face = 0, face_obstacle = 0;
+  std::size_t elsewhere = 0, elsewhere_obstacle = 0;
+
+  [[nodiscard]] double face_share() const {
+    return static_cast<double>(face_obstacle) / static_cast<double>(face);
+  }
+  [[nodiscard]] double elsewhere_share() const {
+    return static_cast<double>(elsewhere_obstacle) / static_cast<double>(elsewhere);
+  }
+};
+
+KerbLabels kerb_labels(const Config& config) {
+  Scene scene = road();
+  scene.boxes.push_back({{-100.0, 4.0, -1.0}, {100.0, 8.0, 0.12}, true});
+  const SpinningSensor sensor{.beams = 64, .azimuths = 2000};
+  const SimulatedScan simulated =
+      cast_scan(scene, sensor, Eigen::Isometry3d::Identity(), kRoofMount, 1);
+  SensorScan scan;
+  scan.points = simulated.view();
+  scan.T_base_sensor = kRoofMount;
+  GroundGrid grid(config);
+  const ScanResult result = grid.process(scan);
+  KerbLabels labels;
+  for (std::size_t i = 0; i < simulated.truth.size(); ++i) {
+    const auto& p = simulated.records[i];
+    // Farther off the beams of this sensor leave gaps of several cells.
+    if (simulated.truth[i] != Truth::ground || std::hypot(p.x, p.y) > 15.0F) continue;
+    const double z = static_cast<double>(p.z) + 1.75;
+    const bool obstacle = result.labels[i] == Label::obstacle;
+    if (std::abs(p.y - 4.0F) < 0.03F && z > 0.05) {
+      ++labels.face;
+      labels.face_obstacle += obstacle ? 1 : 0;
+    } else if (std::abs(p.y - 4.0F) > 0.4F) {
+      ++labels.elsewhere;
+      labels.elsewhere_obstacle += obstacle ? 1 : 0;
+    }
+  }
+  return labels;
+}
+
+TEST_P(BothPresets, AKerbHigherThanTheGreatestStepIsAnObstacle) {
+  Config config = this->config();
+  config.max_step_m = 0.08;
+  const KerbLabels labels = kerb_labels(config);
+  EXPECT_GT(labels.face, 300U);
+  EXPECT_GT(labels.elsewhere, 20000U);
+  EXPECT_GT(labels.face_share(), 0.9);
+  EXPECT_LT(labels.elsewhere_share(), 0.005);
+}
+
+TEST_P(BothPresets, ALowerOneIsGround) {
+  Config config = this->config();
+  config.max_step_m = 0.14;
+  EXPECT_LT(kerb_labels(config).face_share(), 0.03);
+  config.max_step_m = 0.0;
+  EXPECT_LT(kerb_labels(config).face_share(), 0.03);
+}
+
+TEST(Street, ARoadThatRisesThirtyPercentHasNoStep) {
+  Scene scene;
+  scene.slope_x = 0.3;
+  scene.boxes = {{{10.0, -1.0, -1.0}, {14.0, 1.0, 6.0}}};
+  Config config;
+  GroundGrid without(config);
+  config.max_step_m = 0.05;
+  GroundGrid with_steps(config);
+  const double recall = drive(with_steps, scene, {}, kRoofMount).ground_recall();
+  EXPECT_GT(recall, 0.98);
+  EXPECT_NEAR(recall, drive(without, scene, {}, kRoofMount).ground_recall(), 0.003);
+}
+
 TEST_P(BothPresets, SlopeOfTenPercent) {
   Scene scene;
   scene.slope_x = 0.1;

@@ -32,6 +32,9 @@ TEST(Allocation, IsCounted) {
 TEST(Allocation, ProcessAllocatesNothingOnceWarm) {
   EXPECT_EQ(allocations_once_warm(Config{}), 0U);
   EXPECT_EQ(allocations_once_warm(Config::paper()), 0U);
+  Config steps;
+  steps.max_step_m = 0.08;
+  EXPECT_EQ(allocations_once_warm(steps), 0U);
 }
 
 #ifndef GROUNDGRID_STD_THREAD

@@ -27,6 +27,12 @@ std::vector<DriveScan> real_drive(const std::filesystem::path& dataset, std::siz
   return drive;
 }
 
+Config with_steps() {
+  Config config;
+  config.max_step_m = 0.05;
+  return config;
+}
+
 Config with_threads(Config config, int threads) {
   config.threads = threads;
   return config;
@@ -83,6 +89,7 @@ TEST(Determinism, AnyNumberOfThreads) {
   const std::vector<DriveScan> drive = street_drive(4);
   expect_same_bits_for_all_threads(Config{}, drive);
   expect_same_bits_for_all_threads(Config::paper(), drive);
+  expect_same_bits_for_all_threads(with_steps(), drive);
 }
 
 TEST(Determinism, AnyNumberOfThreadsOnRealScans) {
@@ -90,6 +97,7 @@ TEST(Determinism, AnyNumberOfThreadsOnRealScans) {
   const std::vector<DriveScan> drive = real_drive(*dataset, 3);
   expect_same_bits_for_all_threads(Config{}, drive);
   expect_same_bits_for_all_threads(Config::paper(), drive);
+  expect_same_bits_for_all_threads(with_steps(), drive);
 }
 
 TEST(Determinism, AnyOrderOfThePoints) {
@@ -101,6 +109,7 @@ TEST(Determinism, AnyOrderOfThePoints) {
 TEST(Determinism, AnyOrderOfThePointsOnRealScans) {
   GROUNDGRID_NEEDS_DATA(dataset)
   expect_same_bits_for_any_order(Config{}, real_drive(*dataset, 3));
+  expect_same_bits_for_any_order(with_steps(), real_drive(*dataset, 3));
 }
 
 TEST(Determinism, RepeatedRuns) {
