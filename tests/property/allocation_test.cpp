@@ -3,6 +3,7 @@
 
 #include "allocation_counter.hpp"
 #include "groundgrid/ground_grid.hpp"
+#include "groundgrid/terrain_layers.hpp"
 #include "support/drive.hpp"
 
 namespace groundgrid {
@@ -60,6 +61,26 @@ TEST(Allocation, CorrectionOfMotionAllocatesNothingOnceWarm) {
   const std::size_t before = testing::allocations();
   grid.process(scans, begin, end);
   EXPECT_EQ(testing::allocations() - before, 0U);
+}
+
+TEST(Allocation, LayersOfTheTerrainAllocateNothingOnceWarm) {
+  const std::vector<DriveScan> drive = street_drive(2);
+  GroundGrid grid;
+  TerrainLayers layers;
+  const auto pass = [&] {
+    std::size_t allocations = 0;
+    for (const DriveScan& step : drive) {
+      const SensorScan scan = step.scan();
+      const ScanResult result = grid.process(scan, step.T_map_base);
+      const std::size_t before = testing::allocations();
+      layers.update(grid.terrain());
+      layers.update(grid.terrain(), std::span(&scan, 1), step.T_map_base, result.labels);
+      allocations += testing::allocations() - before;
+    }
+    return allocations;
+  };
+  EXPECT_GT(pass(), 0U);
+  EXPECT_EQ(pass(), 0U);
 }
 
 TEST(Allocation, ResetKeepsTheBuffers) {

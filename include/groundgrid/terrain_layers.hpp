@@ -1,0 +1,105 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "groundgrid/export.hpp"
+#include "groundgrid/label.hpp"
+#include "groundgrid/scan.hpp"
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid {
+
+/// Whether a vehicle can drive over a cell.
+enum class Traversability : std::uint8_t { unknown, no, yes };
+
+/// Up to where a vehicle drives; the defaults are those of a car. docs/terrain-layers.md says
+/// where they come from.
+struct GROUNDGRID_EXPORT TraversabilityLimits {
+  double max_slope_deg = 20.0;         ///< Steepest slope.
+  double max_step_m = 0.1;             ///< Highest step.
+  double max_roughness_m = 0.05;       ///< Greatest roughness.
+  double min_obstacle_height_m = 0.2;  ///< Lower returns above the ground are no obstacle.
+  double overhang_clearance_m = 2.5;   ///< Higher returns above the ground are driven under.
+  double min_confidence = 0.05;        ///< Cells of the map with less are not known.
+
+  /// Throws std::invalid_argument that names the field where one is negative or not finite.
+  void validate() const;
+};
+
+/// What planners ask of the map beyond its height: slope, step, roughness, obstacles, and whether
+/// a cell can be driven over. One element a cell, row by row, x fastest, as in the TerrainView.
+/// Optional and apart from GroundGrid::process(), which costs no more for it.
+///
+/// A cell is known where its confidence reaches TraversabilityLimits::min_confidence; only known
+/// cells count in any layer of the ground, and only they have one.
+class GROUNDGRID_EXPORT TerrainLayers {
+ public:
+  /// Planes are fitted to squares of an odd number of cells, whose side is nearest to `window_m`
+  /// and at least three cells. Throws std::invalid_argument where it is not in (0, 100] m.
+  explicit TerrainLayers(double window_m = 1.0);
+
+  /// Makes all layers anew. Allocates only where the map has more cells than any before. Obstacles
+  /// are those of the last scan as TerrainView::statistics has them: of a cell with returns both
+  /// below and above the clearance, such as a road under a tree, its obstacle height is NaN, since
+  /// only the other update() knows the points. Throws std::invalid_argument where a limit is wrong
+  /// or a layer of the view has not size × size cells.
+  void update(const TerrainView& terrain, const TraversabilityLimits& limits = {});
+
+  /// The same with the points of the last scan and what GroundGrid::process() said of them, in its
+  /// order; outliers and unknown points are no obstacles. Points are taken at the one pose. Throws
+  /// also where there is not one label a point or a point view has no data.
+  void update(const TerrainView& terrain, std::span<const SensorScan> scans,
+              const Eigen::Isometry3d& T_map_base, std::span<const Label> labels,
+              const TraversabilityLimits& limits = {});
+
+  /// Cells along x and along y; 0 before the first update.
+  [[nodiscard]] int size() const { return size_; }
+  /// Angle of the plane through the window to the horizontal, degrees; NaN where less than half of
+  /// the window is known.
+  [[nodiscard]] std::span<const float> slope_deg() const { return slope_deg_; }
+  /// Greatest rise from one neighbour to the opposite one, along x, y or a diagonal, beyond the
+  /// slope of the ground on both sides, metres; NaN where no two opposite neighbours are known.
+  [[nodiscard]] std::span<const float> step_m() const { return step_m_; }
+  /// Root mean square of the window's heights from its plane, metres; NaN as the slope.
+  [[nodiscard]] std::span<const float> roughness_m() const { return roughness_m_; }
+  /// Height above the map of the highest return of the last scan below the clearance, metres; 0
+  /// where it is lower than min_obstacle_height_m, NaN where none was below the clearance.
+  [[nodiscard]] std::span<const float> obstacle_height_m() const { return obstacle_height_m_; }
+  /// `no` where an obstacle stands or a limit is passed; else `yes` where the cell has all layers
+  /// of the ground, and `unknown` where it has not.
+  [[nodiscard]] std::span<const Traversability> traversability() const { return traversability_; }
+
+ private:
+  struct GROUNDGRID_NO_EXPORT Plane {
+    double slope_x;
+    double slope_y;
+    double roughness_m;
+  };
+
+  GROUNDGRID_NO_EXPORT void begin(const TerrainView& terrain, const TraversabilityLimits& limits);
+  GROUNDGRID_NO_EXPORT void find_ground_layers(const TerrainView& terrain);
+  GROUNDGRID_NO_EXPORT void find_obstacles(const TerrainView& terrain,
+                                           const TraversabilityLimits& limits);
+  GROUNDGRID_NO_EXPORT void judge(const TraversabilityLimits& limits);
+  [[nodiscard]] GROUNDGRID_NO_EXPORT Plane fit_plane(const TerrainView& terrain, int column,
+                                                     int row) const;
+  [[nodiscard]] GROUNDGRID_NO_EXPORT float height_at(int column, int row) const;
+  [[nodiscard]] GROUNDGRID_NO_EXPORT float step_at(int column, int row, const Plane& plane,
+                                                   double cell_size_m) const;
+
+  double window_m_;
+  int size_ = 0;
+  int reach_ = 1;              // cells of the window on each side of its middle
+  std::vector<float> height_;  // of known cells; NaN
+  std::vector<float> slope_deg_;
+  std::vector<float> step_m_;
+  std::vector<float> roughness_m_;
+  std::vector<float> obstacle_height_m_;
+  std::vector<Traversability> traversability_;
+};
+
+}  // namespace groundgrid
