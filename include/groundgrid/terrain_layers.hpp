@@ -30,6 +30,19 @@ struct GROUNDGRID_EXPORT TraversabilityLimits {
   void validate() const;
 };
 
+/// What the layers say of one cell; NaN is what is not known.
+struct CellLayers {
+  float slope_deg;
+  float step_m;
+  float roughness_m;
+  float obstacle_height_m;
+};
+
+/// `no` where an obstacle stands or a limit is passed; else `yes` where slope, step and roughness
+/// are known, and `unknown` where they are not.
+GROUNDGRID_EXPORT Traversability traversability_of(const CellLayers& cell,
+                                                   const TraversabilityLimits& limits);
+
 /// What planners ask of the map beyond its height: slope, step, roughness, obstacles, and whether
 /// a cell can be driven over. One element a cell, row by row, x fastest, as in the TerrainView.
 /// Optional and apart from GroundGrid::process(), which costs no more for it.
@@ -69,8 +82,7 @@ class GROUNDGRID_EXPORT TerrainLayers {
   /// Height above the map of the highest return of the last scan below the clearance, metres; 0
   /// where it is lower than min_obstacle_height_m, NaN where none was below the clearance.
   [[nodiscard]] std::span<const float> obstacle_height_m() const { return obstacle_height_m_; }
-  /// `no` where an obstacle stands or a limit is passed; else `yes` where the cell has all layers
-  /// of the ground, and `unknown` where it has not.
+  /// As traversability_of() of each cell.
   [[nodiscard]] std::span<const Traversability> traversability() const { return traversability_; }
 
  private:

@@ -183,23 +183,24 @@ void TerrainLayers::find_obstacles(const TerrainView& terrain, const Traversabil
         obstacle_from(terrain.statistics[cell], terrain.relative_height[cell], limits);
 }
 
+Traversability traversability_of(const CellLayers& cell, const TraversabilityLimits& limits) {
+  // Written so that NaN passes no limit.
+  const auto passes = [](float value, double limit) { return static_cast<double>(value) > limit; };
+  if (static_cast<double>(cell.obstacle_height_m) >= limits.min_obstacle_height_m ||
+      passes(cell.slope_deg, limits.max_slope_deg) || passes(cell.step_m, limits.max_step_m) ||
+      passes(cell.roughness_m, limits.max_roughness_m))
+    return Traversability::no;
+  // There is a roughness where there is a slope.
+  const bool known = !std::isnan(cell.slope_deg) && !std::isnan(cell.step_m);
+  return known ? Traversability::yes : Traversability::unknown;
+}
+
 void TerrainLayers::judge(const TraversabilityLimits& limits) {
-  const auto lowest = static_cast<float>(limits.min_obstacle_height_m);
-  const auto slope = static_cast<float>(limits.max_slope_deg);
-  const auto step = static_cast<float>(limits.max_step_m);
-  const auto roughness = static_cast<float>(limits.max_roughness_m);
   for (std::size_t cell = 0; cell < traversability_.size(); ++cell) {
     float& obstacle = obstacle_height_m_[cell];
-    const bool stands = obstacle >= lowest;
-    if (obstacle < lowest) obstacle = 0.0F;
-    // Written so that NaN passes no limit.
-    const bool passed =
-        slope_deg_[cell] > slope || step_m_[cell] > step || roughness_m_[cell] > roughness;
-    const bool known = !std::isnan(slope_deg_[cell]) && !std::isnan(step_m_[cell]);
-    if (stands || passed)
-      traversability_[cell] = Traversability::no;
-    else if (known)
-      traversability_[cell] = Traversability::yes;
+    traversability_[cell] =
+        traversability_of({slope_deg_[cell], step_m_[cell], roughness_m_[cell], obstacle}, limits);
+    if (static_cast<double>(obstacle) < limits.min_obstacle_height_m) obstacle = 0.0F;
   }
 }
 

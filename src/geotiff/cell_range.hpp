@@ -31,4 +31,9 @@ inline CellRange hull(const CellRange& a, const CellRange& b) {
           std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
 }
 
+inline CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows) {
+  return {range.first_column + columns, range.end_column + columns, range.first_row + rows,
+          range.end_row + rows};
+}
+
 }  // namespace groundgrid::geotiff

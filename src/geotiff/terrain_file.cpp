@@ -14,15 +14,11 @@ namespace {
 // The offsets of so many blocks alone take 48 MB. At 0.33 m cells it is a square of 84 km.
 constexpr std::int64_t kMostBlocks = 1'000'000;
 
-struct Band {
-  const char* name;
-  const char* unit;
-};
-constexpr std::array<Band, kTerrainBands> kBands{{{"height", "m"},
-                                                  {"confidence", ""},
-                                                  {"count", ""},
-                                                  {"density", "1/m2"},
-                                                  {"standard deviation", "m"}}};
+constexpr std::array<RasterBand, kTerrainBands> kBands{{{"height", "m"},
+                                                        {"confidence", ""},
+                                                        {"count", ""},
+                                                        {"density", "1/m2"},
+                                                        {"standard deviation", "m"}}};
 
 std::int64_t blocks_over(std::int64_t cells) {
   return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;
@@ -38,7 +34,8 @@ void check_size(const std::filesystem::path& path, const RasterGrid& grid) {
                    .remedy = "check the poses for one that is far off"});
 }
 
-GDALDataset* create_raster(const std::filesystem::path& path, const RasterGrid& grid) {
+GDALDataset* create_raster(const std::filesystem::path& path, const RasterGrid& grid,
+                           std::size_t bands) {
   const std::string side = std::to_string(TerrainBlock::kSide);
   CPLStringList options;
   options.SetNameValue("TILED", "YES");
@@ -50,30 +47,34 @@ GDALDataset* create_raster(const std::filesystem::path& path, const RasterGrid& 
   options.SetNameValue("BIGTIFF", "IF_SAFER");
   options.SetNameValue("SPARSE_OK", "TRUE");
   return geotiff_driver().Create(path.c_str(), static_cast<int>(grid.columns),
-                                 static_cast<int>(grid.rows), kTerrainBands, GDT_Float32,
+                                 static_cast<int>(grid.rows), static_cast<int>(bands), GDT_Float32,
                                  options.List());
 }
 
 }  // namespace
 
+std::span<const RasterBand> terrain_bands() { return kBands; }
+
 TerrainFile::TerrainFile(const std::filesystem::path& path, const RasterGrid& grid,
-                         const std::optional<OGRSpatialReference>& crs)
+                         const std::optional<OGRSpatialReference>& crs,
+                         std::span<const RasterBand> bands)
     : file_(path), grid_(grid) {
   check_size(path, grid);
-  dataset_.reset(create_raster(file_.hidden(), grid));
+  dataset_.reset(create_raster(file_.hidden(), grid, bands.size()));
   check(dataset_ != nullptr);
-  describe(grid, crs);
+  describe(grid, crs, bands);
 }
 
-void TerrainFile::describe(const RasterGrid& grid, const std::optional<OGRSpatialReference>& crs) {
+void TerrainFile::describe(const RasterGrid& grid, const std::optional<OGRSpatialReference>& crs,
+                           std::span<const RasterBand> bands) {
   const double max_y = grid.min_y_m + static_cast<double>(grid.rows) * grid.cell_size_m;
   std::array<double, 6> transform{grid.min_x_m, grid.cell_size_m, 0.0, max_y,
                                   0.0,          -grid.cell_size_m};
   check(dataset_->SetGeoTransform(transform.data()) == CE_None);
   if (crs) check(dataset_->SetSpatialRef(&*crs) == CE_None);
-  for (int index = 0; index < kTerrainBands; ++index) {
-    GDALRasterBand& band = *dataset_->GetRasterBand(index + 1);
-    const Band& what = kBands[static_cast<std::size_t>(index)];
+  int index = 0;
+  for (const RasterBand& what : bands) {
+    GDALRasterBand& band = *dataset_->GetRasterBand(++index);
     band.SetDescription(what.name);
     check(band.SetUnitType(what.unit) == CE_None);
     check(band.SetNoDataValue(static_cast<double>(kNoData)) == CE_None);
@@ -90,10 +91,13 @@ CellRange TerrainFile::cells_of(int block_column, int block_row) const {
 }
 
 void TerrainFile::write(int block_column, int block_row, TerrainBlock& block) {
-  for (int index = 0; index < kTerrainBands; ++index) {
-    GDALRasterBand& band = *dataset_->GetRasterBand(index + 1);
-    check(band.WriteBlock(block_column, block_row, block.band(index)) == CE_None);
-  }
+  for (int index = 0; index < kTerrainBands; ++index)
+    write(block_column, block_row, index, block.band(index));
+}
+
+void TerrainFile::write(int block_column, int block_row, int band, float* pixels) {
+  GDALRasterBand& raster = *dataset_->GetRasterBand(band + 1);
+  check(raster.WriteBlock(block_column, block_row, pixels) == CE_None);
 }
 
 void TerrainFile::commit() {

@@ -1,15 +1,14 @@
 #include "geotiff/terrain_mosaic.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "geotiff/cell_range.hpp"
 #include "geotiff/crs.hpp"
+#include "geotiff/drive_lattice.hpp"
 #include "geotiff/point_density.hpp"
 #include "geotiff/terrain_file.hpp"
 #include "geotiff/terrain_surface.hpp"
@@ -22,16 +21,6 @@ namespace {
 // Tiles this near to the window stay in memory: a vehicle that goes to and fro at a tile's edge
 // shall not send the same tiles away and back.
 constexpr std::int64_t kMargin = MosaicTile::kSide / 2;
-
-// Cells that a lattice may be away from its origin: 2⁵³ are exact in double.
-constexpr double kFarthestCell = 9007199254740992.0;
-
-std::int64_t nearest_cell(double metres, double cell_size_m) {
-  const double cell = metres / cell_size_m;
-  if (!(std::abs(cell) < kFarthestCell))
-    throw std::invalid_argument("TerrainMosaic: a view lies too far from the first one");
-  return std::llround(cell);
-}
 
 std::size_t cell_in_view(const TerrainView& view, std::int64_t column, std::int64_t row) {
   return static_cast<std::size_t>(row * view.size + column);
@@ -55,11 +44,6 @@ CellRange told_cells(const TerrainView& view, const std::vector<std::uint32_t>& 
     all = hull(all, {first, end, row, row + 1});
   }
   return all;
-}
-
-CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows) {
-  return {range.first_column + columns, range.end_column + columns, range.first_row + rows,
-          range.end_row + rows};
 }
 
 std::size_t cell_in_tile(const CellRange& tile_cells, std::int64_t column, std::int64_t row) {
@@ -122,7 +106,6 @@ class TerrainMosaic::Tiles {
   [[nodiscard]] std::size_t resident_bytes() const { return store_.resident_bytes(); }
 
  private:
-  void place(const TerrainView& view);
   void add_to_tile(TileStore::Index index, const TerrainView& view, const CellRange& window);
   bool fill(TerrainBlock& block, MosaicTile& buffer) const;
   [[nodiscard]] HeightWindow heights_in(const CellRange& cells, MosaicTile& buffer) const;
@@ -131,31 +114,16 @@ class TerrainMosaic::Tiles {
   std::optional<OGRSpatialReference> crs_;
   std::optional<SurfaceOptions> surface_;
   TileStore store_;
-  double cell_size_m_ = 0.0;  // 0 until the first view has come
-  double origin_x_m_ = 0.0;   // outer edges of the lattice's cell (0, 0)
-  double origin_y_m_ = 0.0;
+  DriveLattice lattice_;
   CellRange told_;
   bool has_height_ = false;
   std::vector<std::uint32_t> points_around_;  // of the view that is being added
 };
 
-void TerrainMosaic::Tiles::place(const TerrainView& view) {
-  if (cell_size_m_ == 0.0) {
-    cell_size_m_ = view.cell_size_m;
-    origin_x_m_ = view.min_x_m;
-    origin_y_m_ = view.min_y_m;
-  }
-  if (view.cell_size_m != cell_size_m_)
-    throw std::invalid_argument("TerrainMosaic: all views must have the same cell size");
-}
-
 void TerrainMosaic::Tiles::add(const TerrainView& view) {
   check_view(view);
   if (view.size == 0) return;
-  place(view);
-  const std::int64_t column = nearest_cell(view.min_x_m - origin_x_m_, cell_size_m_);
-  const std::int64_t row = nearest_cell(view.min_y_m - origin_y_m_, cell_size_m_);
-  const CellRange window{column, column + view.size, row, row + view.size};
+  const CellRange window = lattice_.window_of(view);
   store_.keep_only({window.first_column - kMargin, window.end_column + kMargin,
                     window.first_row - kMargin, window.end_row + kMargin});
   count_points_around(view, points_around_);
@@ -164,7 +132,7 @@ void TerrainMosaic::Tiles::add(const TerrainView& view) {
     for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j)
       add_to_tile({i, j}, view, window);
   const CellRange told = told_cells(view, points_around_);
-  if (!told.empty()) told_ = hull(told_, moved(told, column, row));
+  if (!told.empty()) told_ = hull(told_, moved(told, window.first_column, window.first_row));
   has_height_ =
       has_height_ || std::any_of(view.confidence.begin(), view.confidence.end(), is_known);
 }
@@ -194,7 +162,7 @@ bool TerrainMosaic::Tiles::fill(TerrainBlock& block, MosaicTile& buffer) const {
     for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j) {
       const MosaicTile* const tile = store_.look_up({i, j}, buffer);
       if (tile == nullptr) continue;
-      copy(*tile, cells_of({i, j}), density_area_m2(cell_size_m_), block);
+      copy(*tile, cells_of({i, j}), density_area_m2(lattice_.cell_size_m()), block);
       filled = true;
     }
   }
@@ -215,13 +183,9 @@ HeightWindow TerrainMosaic::Tiles::heights_in(const CellRange& cells, MosaicTile
 
 void TerrainMosaic::Tiles::finish() const {
   if (empty()) fail_without_terrain(path_);
-  TerrainFile file(path_,
-                   {origin_x_m_ + static_cast<double>(told_.first_column) * cell_size_m_,
-                    origin_y_m_ + static_cast<double>(told_.first_row) * cell_size_m_, cell_size_m_,
-                    told_.columns(), told_.rows()},
-                   crs_);
+  TerrainFile file(path_, lattice_.grid_of(told_), crs_);
   const auto buffer = std::make_unique<MosaicTile>();
-  TerrainSurface completion(surface_, cell_size_m_);
+  TerrainSurface completion(surface_, lattice_.cell_size_m());
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {

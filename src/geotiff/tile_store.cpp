@@ -17,6 +17,8 @@ namespace {
 
 static_assert(std::is_trivially_copyable_v<MosaicTile>);
 static_assert(sizeof(MosaicTile) == MosaicTile::kCells * 28);
+static_assert(std::is_trivially_copyable_v<LayersTile>);
+static_assert(LayersTile::kSide == MosaicTile::kSide);
 
 int open_without_name(const std::filesystem::path& result) {
   std::string name =
@@ -35,7 +37,7 @@ std::int64_t tile_of(std::int64_t cell) {
 
 }  // namespace
 
-CellRange cells_of(TileStore::Index index) {
+CellRange cells_of(TileIndex index) {
   const std::int64_t column = index.first * MosaicTile::kSide;
   const std::int64_t row = index.second * MosaicTile::kSide;
   return {column, column + MosaicTile::kSide, row, row + MosaicTile::kSide};
@@ -46,21 +48,27 @@ CellRange tiles_of(const CellRange& cells) {
           tile_of(cells.end_row - 1) + 1};
 }
 
-TileStore::TileStore(std::filesystem::path result)
+template <typename Tile>
+BasicTileStore<Tile>::BasicTileStore(std::filesystem::path result)
     : result_(std::move(result)), file_(open_without_name(result_)) {}
 
-TileStore::~TileStore() { ::close(file_); }
+template <typename Tile>
+BasicTileStore<Tile>::~BasicTileStore() {
+  ::close(file_);
+}
 
-MosaicTile& TileStore::load(Index index) {
+template <typename Tile>
+Tile& BasicTileStore<Tile>::load(Index index) {
   const auto found = resident_.find(index);
   if (found != resident_.end()) return *found->second;
-  auto tile = std::make_unique<MosaicTile>();
+  auto tile = std::make_unique<Tile>();
   const auto place = places_.find(index);
   if (place != places_.end()) read(place->second, *tile);
   return *resident_.emplace(index, std::move(tile)).first->second;
 }
 
-void TileStore::keep_only(const CellRange& kept) {
+template <typename Tile>
+void BasicTileStore<Tile>::keep_only(const CellRange& kept) {
   for (auto tile = resident_.begin(); tile != resident_.end();) {
     if (!overlap(cells_of(tile->first), kept).empty()) {
       ++tile;
@@ -71,7 +79,8 @@ void TileStore::keep_only(const CellRange& kept) {
   }
 }
 
-const MosaicTile* TileStore::look_up(Index index, MosaicTile& buffer) const {
+template <typename Tile>
+const Tile* BasicTileStore<Tile>::look_up(Index index, Tile& buffer) const {
   const auto found = resident_.find(index);
   if (found != resident_.end()) return found->second.get();
   const auto place = places_.find(index);
@@ -80,14 +89,15 @@ const MosaicTile* TileStore::look_up(Index index, MosaicTile& buffer) const {
   return &buffer;
 }
 
-void TileStore::write(Index index, const MosaicTile& tile) {
-  const auto end = static_cast<off_t>(places_.size() * sizeof(MosaicTile));
+template <typename Tile>
+void BasicTileStore<Tile>::write(Index index, const Tile& tile) {
+  const auto end = static_cast<off_t>(places_.size() * sizeof(Tile));
   const auto known = places_.find(index);
   const off_t place = known == places_.end() ? end : known->second;
   const char* const bytes = reinterpret_cast<const char*>(&tile);
-  for (std::size_t done = 0; done < sizeof(MosaicTile);) {
+  for (std::size_t done = 0; done < sizeof(Tile);) {
     const ssize_t written =
-        ::pwrite(file_, bytes + done, sizeof(MosaicTile) - done, place + static_cast<off_t>(done));
+        ::pwrite(file_, bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) io::fail_to_write(result_, io::system_message(errno));
     done += static_cast<std::size_t>(written);
@@ -95,11 +105,12 @@ void TileStore::write(Index index, const MosaicTile& tile) {
   places_.emplace(index, place);
 }
 
-void TileStore::read(off_t place, MosaicTile& tile) const {
+template <typename Tile>
+void BasicTileStore<Tile>::read(off_t place, Tile& tile) const {
   char* const bytes = reinterpret_cast<char*>(&tile);
-  for (std::size_t done = 0; done < sizeof(MosaicTile);) {
+  for (std::size_t done = 0; done < sizeof(Tile);) {
     const ssize_t got =
-        ::pread(file_, bytes + done, sizeof(MosaicTile) - done, place + static_cast<off_t>(done));
+        ::pread(file_, bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0)
       throw io::Error({.file = result_,
@@ -108,5 +119,8 @@ void TileStore::read(off_t place, MosaicTile& tile) const {
     done += static_cast<std::size_t>(got);
   }
 }
+
+template class BasicTileStore<MosaicTile>;
+template class BasicTileStore<LayersTile>;
 
 }  // namespace groundgrid::geotiff

@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -105,9 +106,13 @@ void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   const Eigen::Isometry3d T_map_base = pose(scan);
   if (!poses_) grid_.reset();
   const auto begin = std::chrono::steady_clock::now();
-  const ScanResult result = process_scan(grid_, {.points = slot.points}, T_map_base, scan);
+  const SensorScan sensor_scan{.points = slot.points};
+  const ScanResult result = process_scan(grid_, sensor_scan, T_map_base, scan);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
 
+  if (layers_)
+    layers_->update(grid_.terrain(), std::span(&sensor_scan, 1), T_map_base, result.labels,
+                    limits_);
   notes_.add(result);
   warn_about(scan, result, grid_.config());
   slot.milliseconds = time.count();

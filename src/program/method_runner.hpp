@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "groundgrid/ground_grid.hpp"
+#include "groundgrid/terrain_layers.hpp"
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
 #include "program/method_notes.hpp"
@@ -34,6 +35,15 @@ class MethodRunner {
   /// point lies in the map.
   void process(const io::ScanFile& scan, ScanSlot& slot);
 
+  /// From now on makes the layers of the terrain after each scan, too.
+  void make_layers(const TraversabilityLimits& limits) {
+    limits_ = limits;
+    layers_.emplace();
+  }
+
+  /// After the last scan; null unless they are to be made.
+  [[nodiscard]] const TerrainLayers* layers() const { return layers_ ? &*layers_ : nullptr; }
+
   /// The map after the last scan.
   [[nodiscard]] TerrainView terrain() const { return grid_.terrain(); }
 
@@ -48,6 +58,8 @@ class MethodRunner {
   RunFrames frames_;
   Eigen::Isometry3d T_map_poses_;
   MethodNotes notes_;
+  TraversabilityLimits limits_;
+  std::optional<TerrainLayers> layers_;
 };
 
 }  // namespace groundgrid::program

@@ -26,6 +26,8 @@ SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequ
   if (context.options.terrain.wanted())
     terrain_.emplace(context.options.output, sequence, context.record.single_scan,
                      context.options.terrain);
+  if (context.options.terrain.layers_wanted())
+    runner_.make_layers(context.options.terrain.limits());
 }
 
 void SequenceRun::run() {
@@ -52,7 +54,7 @@ bool SequenceRun::process(const io::ScanFile& scan, ScanSlot& slot) {
     context_.progress.advance();
     return false;
   }
-  if (terrain_) terrain_->add(scan, runner_.terrain());
+  if (terrain_) terrain_->add(scan, runner_.terrain(), runner_.layers());
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <CLI/Validators.hpp>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kGreatestLimit = 1000.0;
+
 fs::path place_of(const io::ScanSequence& sequence, bool single_scans) {
   const fs::path folder = sequence.plain() ? fs::path{} : fs::path("sequences") / sequence.name;
   if (!single_scans) return folder / "terrain.tif";
@@ -25,6 +28,18 @@ fs::path place_of(const io::ScanSequence& sequence, bool single_scans) {
 
 fs::path raster_of(const fs::path& folder, const io::ScanFile& scan) {
   return folder / (scan.name + ".tif");
+}
+
+/// terrain.tif has its layers in terrain_layers.tif.
+fs::path layers_beside(const fs::path& raster) {
+  return raster.parent_path() / (raster.stem().string() + "_layers.tif");
+}
+
+void write_layers(const fs::path& path, const TerrainView& terrain, const TerrainLayers& layers,
+                  const TraversabilityLimits& limits, const std::string& crs) {
+  geotiff::LayersMosaic scan(path, limits, crs);
+  scan.add(terrain, layers);
+  if (!scan.empty()) scan.finish();
 }
 
 }  // namespace
@@ -53,6 +68,25 @@ void TerrainOptions::add_to(CLI::App& command) {
                   "Direction of the poses' x axis, degrees from east towards north [0]; the cells "
                   "turn with it, so some labels change")
       ->needs(origin);
+  CLI::Option* const layers =
+      command
+          .add_flag("--terrain-layers", layers_,
+                    "Write slope, step, roughness, obstacles and traversability as a second "
+                    "GeoTIFF beside the terrain")
+          ->needs(terrain);
+  const auto add_limit = [&](const char* name, double& value, const char* text) {
+    command.add_option(name, value, text)
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, kGreatestLimit))
+        ->needs(layers);
+  };
+  add_limit("--drive-slope-deg", limits_.max_slope_deg, "Steepest slope that can be driven");
+  add_limit("--drive-step-m", limits_.max_step_m, "Highest step that can be driven");
+  add_limit("--drive-roughness-m", limits_.max_roughness_m, "Greatest roughness, too");
+  add_limit("--drive-over-m", limits_.min_obstacle_height_m,
+            "Lower returns above the ground are no obstacle");
+  add_limit("--drive-under-m", limits_.overhang_clearance_m,
+            "Higher returns above the ground are no obstacle");
 }
 
 void TerrainOptions::check() const {
@@ -87,25 +121,36 @@ TerrainOutput::TerrainOutput(fs::path output, const io::ScanSequence& sequence, 
     : output_(std::move(output)),
       place_(place_of(sequence, single_scans)),
       crs_(options.crs()),
-      surface_(options.surface()) {
-  if (single_scans)
+      surface_(options.surface()),
+      limits_(options.limits()) {
+  if (single_scans) {
     make_folder(output_ / place_);
-  else
-    mosaic_.emplace(output_ / place_, crs_, surface_);
+    return;
+  }
+  mosaic_.emplace(output_ / place_, crs_, surface_);
+  if (options.layers_wanted()) layers_.emplace(layers_beside(output_ / place_), limits_, crs_);
 }
 
 void TerrainOutput::check(const fs::path& output, const io::ScanSequence& sequence,
                           bool single_scans) {
   if (!single_scans) return;
-  for (const io::ScanFile& scan : sequence.scans)
-    require_other_file(scan, raster_of(output / place_of(sequence, true), scan));
+  for (const io::ScanFile& scan : sequence.scans) {
+    const fs::path raster = raster_of(output / place_of(sequence, true), scan);
+    require_other_file(scan, raster);
+    require_other_file(scan, layers_beside(raster));
+  }
 }
 
-void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain) {
-  if (mosaic_)
+void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain,
+                        const TerrainLayers* layers) {
+  if (mosaic_) {
     mosaic_->add(terrain);
-  else
-    geotiff::write_terrain(raster_of(output_ / place_, scan), terrain, crs_, surface_);
+    if (layers_ && layers != nullptr) layers_->add(terrain, *layers);
+    return;
+  }
+  const fs::path raster = raster_of(output_ / place_, scan);
+  geotiff::write_terrain(raster, terrain, crs_, surface_);
+  if (layers != nullptr) write_layers(layers_beside(raster), terrain, *layers, limits_, crs_);
 }
 
 bool TerrainOutput::finish() {
@@ -115,6 +160,7 @@ bool TerrainOutput::finish() {
     return false;
   }
   mosaic_->finish();
+  if (layers_ && !layers_->empty()) layers_->finish();
   return true;
 }
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "geotiff/layers_mosaic.hpp"
 #include "geotiff/terrain_mosaic.hpp"
+#include "groundgrid/terrain_layers.hpp"
 #include "groundgrid/terrain_view.hpp"
 #include "io/scan_sequence.hpp"
 
@@ -26,6 +28,9 @@ class TerrainOptions {
   [[nodiscard]] bool wanted() const { return wanted_; }
   /// Empty for a local frame.
   [[nodiscard]] const std::string& crs() const { return crs_; }
+  /// Whether the layers for planners are wanted beside it, and up to where a vehicle drives.
+  [[nodiscard]] bool layers_wanted() const { return layers_; }
+  [[nodiscard]] const TraversabilityLimits& limits() const { return limits_; }
   /// Where the frame of the poses, once it is level, lies in that of the terrain.
   [[nodiscard]] Eigen::Isometry3d T_map_level() const;
 
@@ -35,6 +40,8 @@ class TerrainOptions {
   std::string crs_;
   std::vector<double> origin_m_;
   double heading_deg_ = 0.0;
+  bool layers_ = false;
+  TraversabilityLimits limits_;
 };
 
 /// Where the terrain of one sequence goes: a mosaic of the drive or, where the map is forgotten
@@ -50,10 +57,11 @@ class TerrainOutput {
   static void check(const std::filesystem::path& output, const io::ScanSequence& sequence,
                     bool single_scans);
 
-  /// Takes the map as it stands after the scan. Throws io::Error.
-  void add(const io::ScanFile& scan, const TerrainView& terrain);
+  /// Takes the map as it stands after the scan, and its layers where they are wanted. Throws
+  /// io::Error.
+  void add(const io::ScanFile& scan, const TerrainView& terrain, const TerrainLayers* layers);
 
-  /// Writes the mosaic. False, with a warning, where no scan showed any ground. Throws io::Error.
+  /// Writes the mosaics. False, with a warning, where no scan showed any ground. Throws io::Error.
   bool finish();
 
   /// Files or, for single scans, the folder with one file a scan; relative to the run's folder.
@@ -64,7 +72,9 @@ class TerrainOutput {
   std::filesystem::path place_;
   std::string crs_;
   std::optional<geotiff::SurfaceOptions> surface_;
+  TraversabilityLimits limits_;
   std::optional<geotiff::TerrainMosaic> mosaic_;
+  std::optional<geotiff::LayersMosaic> layers_;
 };
 
 }  // namespace groundgrid::program
