@@ -11,9 +11,13 @@ JOBS ?= $(shell nproc)
 FUZZ_SECONDS ?= 60
 # More for `make peers`, e.g. --repetitions 7 --csv peers.csv; see compare.py --help.
 PEERS_FLAGS ?=
+# The interpreter and the packages that the Python package is built and tested with.
+PYTHON_ENVIRONMENT := $(CURDIR)/build/python
+PYTHON_FLAGS := -DGROUNDGRID_PYTHON=ON -DPython_EXECUTABLE=$(PYTHON_ENVIRONMENT)/bin/python
 
 .PHONY: help test demo reproduce figures bench peers asan tsan coverage fuzz
 .PHONY: format check-format tidy clean
+.PHONY: python-dependencies
 .PHONY: build-dependencies lint-dependencies bench-dependencies
 .PHONY: coverage-dependencies fuzz-dependencies peers-dependencies
 
@@ -21,8 +25,8 @@ help: ## List the targets
 	@grep -E '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /|/' | \
 	  while IFS='|' read -r name text; do printf '  make %-13s %s\n' "$$name" "$$text"; done
 
-test: build-dependencies ## Build everything and run all tests
-	cmake --preset release $(CMAKE_FLAGS)
+test: python-dependencies ## Build everything, the Python package too, and run all tests
+	cmake --preset release $(PYTHON_FLAGS) $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS)
 	ctest --preset release
 
@@ -60,10 +64,11 @@ build/peers/installed: benchmarks/peers/requirements.txt | peers-dependencies
 	build/peers/bin/pip install --quiet --requirement $<
 	touch $@
 
-asan: fuzz-dependencies
+asan: fuzz-dependencies python-dependencies
 tsan: build-dependencies
+asan: SANITIZER_FLAGS := $(PYTHON_FLAGS)
 asan tsan:
-	cmake --preset $@ $(CMAKE_FLAGS)
+	cmake --preset $@ $(SANITIZER_FLAGS) $(CMAKE_FLAGS)
 	cmake --build --preset $@ --parallel $(JOBS)
 	ctest --preset $@
 
@@ -95,6 +100,10 @@ clean: ## Remove all that was built
 
 build-dependencies:
 	@scripts/install_dependencies.sh build
+
+python-dependencies:
+	@scripts/install_dependencies.sh build python
+	@scripts/python_environment.sh "$(PYTHON_ENVIRONMENT)"
 
 lint-dependencies:
 	@scripts/install_dependencies.sh lint

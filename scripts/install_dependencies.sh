@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that are missing for the groups given: build, bench, coverage, fuzz,
-# lint, peers. Where none is missing apt is not called at all.
+# lint, peers, python. Where none is missing apt is not called at all.
 set -euo pipefail
 
 packages_of() {
@@ -15,6 +15,7 @@ packages_of() {
     fuzz) echo clang-14 libclang-rt-14-dev ;;
     lint) echo clang-format-14 clang-tidy-14 ;;
     peers) echo python3-venv libusb-1.0-0 ;;
+    python) echo python3-dev python3-venv ;;
     *) echo "install_dependencies.sh: unknown group '$1'" >&2; return 2 ;;
   esac
 }

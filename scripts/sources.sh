@@ -3,5 +3,5 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folders=("$@")
-if [[ ${#folders[@]} -eq 0 ]]; then folders=(include src tests benchmarks examples); fi
+if [[ ${#folders[@]} -eq 0 ]]; then folders=(include src python tests benchmarks examples); fi
 find "${folders[@]}" -name '*.hpp' -o -name '*.cpp' | sort

@@ -11,8 +11,6 @@ namespace {
 constexpr double kRigidTolerance = 1e-3;
 /// Further out no double tells one cell from the next.
 constexpr double kMaxPosition_m = 1e9;
-/// With more, the squares of one cell's heights could leave 64 bits.
-constexpr std::size_t kMaxPoints = std::size_t{1} << 22U;
 
 void check_pose(const Eigen::Isometry3d& pose, const char* name) {
   const Eigen::Matrix3d rotation = pose.linear();
@@ -58,7 +56,7 @@ void check_input(std::span<const SensorScan> scans, const Motion& motion, const 
     if (motion.within_scan && scan.points.time_offset && !(scan.time_end > scan.time_begin))
       throw std::invalid_argument("SensorScan: time_end must be later than time_begin");
     // Not the sum of all: counts of any size could wrap round to a small one.
-    if (scan.points.count > kMaxPoints - points)
+    if (scan.points.count > kMaxPointsPerCall - points)
       throw std::invalid_argument("more than 4194304 points in one call; hand them over in parts");
     points += scan.points.count;
   }

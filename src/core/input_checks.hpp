@@ -1,12 +1,16 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <span>
 
 #include "groundgrid/config.hpp"
 #include "groundgrid/scan.hpp"
 
 namespace groundgrid {
+
+/// Of one call: with more, the squares of one cell's heights could leave 64 bits.
+inline constexpr std::size_t kMaxPointsPerCall = std::size_t{1} << 22U;
 
 /// Where base was while a scan was taken.
 struct Motion {

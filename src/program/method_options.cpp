@@ -5,14 +5,11 @@
 #include <CLI/Validators.hpp>
 #include <algorithm>
 #include <optional>
-#include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <variant>
 
 #include "groundgrid/parameters.hpp"
-#include "program/parameter_file.hpp"
-#include "program/usage_error.hpp"
+#include "program/parameter_values.hpp"
 
 namespace groundgrid::program {
 namespace {
@@ -50,43 +47,6 @@ std::string description_of(const Parameter& parameter) {
                      value.is_null() ? "" : unit);
 }
 
-const Parameter& parameter_named(const FileParameter& given) {
-  std::string name = given.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  for (const Parameter& parameter : parameters())
-    if (parameter.name == name) return parameter;
-  throw UsageError(fmt::format("{}: unknown parameter '{}'", given.place, given.name));
-}
-
-// A value and what to begin a message about it with: its place in the parameter file, or nothing.
-struct GivenValue {
-  std::string text;
-  std::string place{};
-};
-
-// What stands for each of parameters(), in their order; nothing where the value is left alone.
-using Values = std::vector<std::optional<GivenValue>>;
-
-void set_value(Config& config, const Parameter& parameter, const GivenValue& value) {
-  try {
-    set_parameter(config, parameter.name, value.text);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(value.place + error.what());
-  }
-}
-
-Values values_in(const std::string& file) {
-  Values values(parameters().size());
-  for (FileParameter& given : read_parameter_file(file)) {
-    const Parameter& parameter = parameter_named(given);
-    auto& value = values[static_cast<std::size_t>(&parameter - parameters().data())];
-    if (value)
-      throw UsageError(fmt::format("{}: {} is given for the second time", given.place, given.name));
-    value = GivenValue{std::move(given.value), given.place + ": "};
-  }
-  return values;
-}
-
 }  // namespace
 
 void MethodOptions::add_to(CLI::App& command) {
@@ -115,16 +75,10 @@ void MethodOptions::exclude(CLI::Option* other) {
 
 Config MethodOptions::config() const {
   Config config = preset_ == "paper" ? Config::paper() : Config{};
-  Values values = file_.empty() ? Values(values_.size()) : values_in(file_);
+  ParameterValues values = file_.empty() ? ParameterValues(values_.size()) : values_in(file_);
   for (std::size_t i = 0; i < values.size(); ++i)
     if (parameter_options_[i]->count() > 0) values[i] = GivenValue{values_[i]};
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i]) set_value(config, parameters()[i], *values[i]);
-  try {
-    config.validate();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
+  set_values(values, config);
   return config;
 }
 

@@ -7,6 +7,8 @@
 namespace groundgrid::simulation {
 namespace {
 
+constexpr double kCell_m = 0.2;
+constexpr double kBesides_m = 80.0;
 constexpr double kAtKerb_m = 0.3;
 constexpr double kStepWidth_m = 0.3;
 constexpr double kStepHeight_m = 0.05;
@@ -21,6 +23,21 @@ double slope(const Terrain& terrain, const Eigen::Vector2d& place, double width_
 }
 
 }  // namespace
+
+geotiff::RasterGrid grid_around(std::span<const Eigen::Isometry3d> poses) {
+  Eigen::Vector2d least = poses.front().translation().head<2>();
+  Eigen::Vector2d greatest = least;
+  for (const Eigen::Isometry3d& pose : poses) {
+    least = least.cwiseMin(pose.translation().head<2>());
+    greatest = greatest.cwiseMax(pose.translation().head<2>());
+  }
+  const auto outward = [](double value) { return std::ceil((value + kBesides_m) / kCell_m); };
+  const double west = -outward(-least.x());
+  const double south = -outward(-least.y());
+  return {west * kCell_m, south * kCell_m, kCell_m,
+          static_cast<std::int64_t>(outward(greatest.x()) - west),
+          static_cast<std::int64_t>(outward(greatest.y()) - south)};
+}
 
 TruthRasters::TruthRasters(const World& world, const geotiff::RasterGrid& grid,
                            Eigen::Vector3d origin, TileRunner& runner)

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -8,6 +9,10 @@
 #include "simulation/echo.hpp"
 
 namespace groundgrid::simulation {
+
+/// Cells of 0.2 m up to 80 m around the places of a drive, of which there is at least one. The
+/// origin is a corner of four of them.
+geotiff::RasterGrid grid_around(std::span<const Eigen::Isometry3d> poses);
 
 /// What is true of the middle of each cell of a raster, row by row from the south. The raster's
 /// origin is at a place of the world.

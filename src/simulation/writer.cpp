@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -18,9 +16,6 @@ namespace groundgrid::simulation {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kCell_m = 0.2;
-constexpr double kBesides_m = 80.0;
 
 // As in KITTI's car: the camera's z looks forward and its x to the right.
 Eigen::Isometry3d T_camera_lidar() {
@@ -52,21 +47,6 @@ void write_floats(const fs::path& path, std::span<const float> numbers) {
   io::AtomicFile file(path);
   file.write(std::as_bytes(numbers));
   file.commit();
-}
-
-geotiff::RasterGrid grid_around(const std::vector<Eigen::Isometry3d>& poses) {
-  Eigen::Vector2d least = poses.front().translation().head<2>();
-  Eigen::Vector2d greatest = least;
-  for (const Eigen::Isometry3d& pose : poses) {
-    least = least.cwiseMin(pose.translation().head<2>());
-    greatest = greatest.cwiseMax(pose.translation().head<2>());
-  }
-  const auto outward = [](double value) { return std::ceil((value + kBesides_m) / kCell_m); };
-  const double west = -outward(-least.x());
-  const double south = -outward(-least.y());
-  return {west * kCell_m, south * kCell_m, kCell_m,
-          static_cast<std::int64_t>(outward(greatest.x()) - west),
-          static_cast<std::int64_t>(outward(greatest.y()) - south)};
 }
 
 }  // namespace
