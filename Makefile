@@ -15,7 +15,7 @@ PEERS_FLAGS ?=
 PYTHON_ENVIRONMENT := $(CURDIR)/build/python
 PYTHON_FLAGS := -DGROUNDGRID_PYTHON=ON -DPython_EXECUTABLE=$(PYTHON_ENVIRONMENT)/bin/python
 
-.PHONY: help test demo reproduce figures bench peers asan tsan coverage fuzz
+.PHONY: help test wheel demo reproduce figures bench peers asan tsan coverage fuzz
 .PHONY: format check-format tidy clean
 .PHONY: python-dependencies
 .PHONY: build-dependencies lint-dependencies bench-dependencies
@@ -29,6 +29,9 @@ test: python-dependencies ## Build everything, the Python package too, and run a
 	cmake --preset release $(PYTHON_FLAGS) $(CMAKE_FLAGS)
 	cmake --build --preset release --parallel $(JOBS)
 	ctest --preset release
+
+wheel: python-dependencies ## Build a wheel of the Python package into dist/, and test it
+	@scripts/wheel.sh dist
 
 demo: build-dependencies ## Simulate two drives, segment, score and draw them into out/: no data needed
 	cmake --preset release $(CMAKE_FLAGS)

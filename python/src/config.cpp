@@ -29,7 +29,7 @@ nb::dict values_of(const Config& config) {
 }
 
 /// Only what is not as in Config().
-std::string repr_of(const Config& config) {
+std::string repr_of_config(const Config& config) {
   std::string text;
   for (const Parameter& parameter : parameters()) {
     const nb::object value = value_of(config, parameter);
@@ -114,7 +114,7 @@ void bind_config_class(nb::module_& module) {
       "__setstate__",
       [](Config& self, const nb::dict& values) { new (&self) Config(with_values({}, values)); },
       nb::sig("def __setstate__(self, values: dict[str, float | bool | None]) -> None"));
-  config.def("__repr__", &repr_of);
+  config.def("__repr__", &repr_of_config);
   config.def(
       "__eq__",
       [](const Config& self, nb::handle other) {

@@ -9,7 +9,7 @@
 namespace groundgrid::python {
 namespace {
 
-[[noreturn]] void reject(const Parameter& parameter, nb::handle value) {
+[[noreturn]] void reject_value(const Parameter& parameter, nb::handle value) {
   throw nb::type_error((std::string(parameter.name) + ": expected " + type_name(parameter) +
                         ", got " + nb::type_name(value.type()).c_str())
                            .c_str());
@@ -19,7 +19,7 @@ void convert(const Parameter& parameter, nb::handle value, double& number) {
   number = PyBool_Check(value.ptr()) ? -1.0 : PyFloat_AsDouble(value.ptr());
   if (!PyBool_Check(value.ptr()) && PyErr_Occurred() == nullptr) return;
   PyErr_Clear();
-  reject(parameter, value);
+  reject_value(parameter, value);
 }
 
 void convert(const Parameter& parameter, nb::handle value, std::optional<double>& number) {
@@ -28,7 +28,7 @@ void convert(const Parameter& parameter, nb::handle value, std::optional<double>
 }
 
 void convert(const Parameter& parameter, nb::handle value, int& number) {
-  if (PyBool_Check(value.ptr()) || !PyIndex_Check(value.ptr())) reject(parameter, value);
+  if (PyBool_Check(value.ptr()) || !PyIndex_Check(value.ptr())) reject_value(parameter, value);
   const nb::object index = nb::steal(PyNumber_Index(value.ptr()));
   if (!index.is_valid()) throw nb::python_error();
   if (!nb::try_cast(index, number))
@@ -38,7 +38,7 @@ void convert(const Parameter& parameter, nb::handle value, int& number) {
 }
 
 void convert(const Parameter& parameter, nb::handle value, bool& on) {
-  if (!PyBool_Check(value.ptr())) reject(parameter, value);
+  if (!PyBool_Check(value.ptr())) reject_value(parameter, value);
   on = value.is(nb::handle(Py_True));
 }
 

@@ -45,7 +45,7 @@ class SharedGrid {
   TerrainLayers terrain() {
     const nb::gil_scoped_release no_gil;
     const std::lock_guard turn(mutex_);
-    return TerrainLayers(grid_.terrain());
+    return {grid_.terrain(), grid_.standard_deviation()};
   }
 
   void reset() {
@@ -90,7 +90,7 @@ std::optional<double> estimate_height(nb::object points, const Config& config) {
   return estimate_sensor_height(array.view(copy), config);
 }
 
-std::string repr_of(const ArrayResult& self) {
+std::string repr_of_result(const ArrayResult& self) {
   return "ScanResult(ground=" + std::to_string(self.result.ground) +
          ", obstacle=" + std::to_string(self.result.obstacle) +
          ", outlier=" + std::to_string(self.result.outlier) +
@@ -152,7 +152,7 @@ void bind_result(nb::module_& module) {
           },
           nb::sig("def __iter__(self) -> collections.abc.Iterator[numpy.typing.NDArray"
                   "[typing.Any]]"))
-      .def("__repr__", &repr_of);
+      .def("__repr__", &repr_of_result);
 }
 
 void bind_grid(nb::module_& module) {

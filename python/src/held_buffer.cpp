@@ -15,7 +15,7 @@ bool is_float_of_other_order(std::string_view format) {
   return format.size() == 2 && format[0] == other && (format[1] == 'f' || format[1] == 'd');
 }
 
-[[noreturn]] void reject(nb::handle object, const char* name) {
+[[noreturn]] void reject_object(nb::handle object, const char* name) {
   throw nb::type_error(
       (std::string(name) + ": expected a NumPy array, got " + description_of(object).c_str())
           .c_str());
@@ -26,7 +26,7 @@ void get_buffer(nb::handle array, const char* name, int flags, Py_buffer& buffer
   PyErr_Clear();
   if ((flags & PyBUF_WRITABLE) != 0)
     throw nb::value_error((std::string(name) + ": the array is read-only").c_str());
-  reject(array, name);
+  reject_object(array, name);
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ HeldBuffer::HeldBuffer(nb::handle array, const char* name, Access access)
     : array_(nb::borrow(array)) {
   const bool is_read = access == Access::read;
   if (is_read && PyObject_CheckBuffer(array.ptr()) == 0) {
-    if (!nb::hasattr(array, "__array__")) reject(array, name);
+    if (!nb::hasattr(array, "__array__")) reject_object(array, name);
     array_ = nb::module_::import_("numpy").attr("asarray")(array);
   }
   const int flags = PyBUF_STRIDES | PyBUF_FORMAT | (is_read ? 0 : PyBUF_WRITABLE);

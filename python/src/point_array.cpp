@@ -32,7 +32,8 @@ Number number_at(const HeldBuffer& buffer, std::ptrdiff_t offset) {
                             .c_str());
 }
 
-[[noreturn]] void reject_type(const char* name, const char* expected, const HeldBuffer& buffer) {
+[[noreturn]] void reject_number_type(const char* name, const char* expected,
+                                     const HeldBuffer& buffer) {
   throw nb::type_error((std::string(name) + ": expected " + expected + ", got " +
                         description_of(buffer.array()).c_str() + "; convert it by astype()")
                            .c_str());
@@ -40,7 +41,7 @@ Number number_at(const HeldBuffer& buffer, std::ptrdiff_t offset) {
 
 HeldBuffer checked_points(HeldBuffer points) {
   if (!points.holds('f') && !points.holds('d'))
-    reject_type("points", "an array of float32 or float64", points);
+    reject_number_type("points", "an array of float32 or float64", points);
   if (points.dimensions() != 2 || points.length(1) < 3)
     reject_shape("points", "an array of N rows with x, y, z first", points);
   if (points.length(0) > kMaxPointsPerCall)
@@ -52,7 +53,7 @@ HeldBuffer checked_points(HeldBuffer points) {
 
 HeldBuffer checked_times(HeldBuffer times, std::size_t points) {
   if (!times.holds('f') && !times.holds('d') && !times.holds('I'))
-    reject_type("times", "an array of float32, float64 or uint32", times);
+    reject_number_type("times", "an array of float32, float64 or uint32", times);
   if (times.dimensions() != 1 || times.length(0) != points)
     reject_shape("times", ("an array of " + std::to_string(points) + " times, one a point").c_str(),
                  times);

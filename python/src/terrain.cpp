@@ -33,11 +33,12 @@ nb::tuple extent_of(const Terrain& terrain) {
 
 }  // namespace
 
-TerrainLayers::TerrainLayers(const TerrainView& view)
+TerrainLayers::TerrainLayers(const TerrainView& view, std::span<const float> standard_deviation_m)
     : size(view.size),
       cell_size_m(view.cell_size_m),
       min_x_m(view.min_x_m),
       min_y_m(view.min_y_m),
+      standard_deviation(standard_deviation_m.begin(), standard_deviation_m.end()),
       confidence(view.confidence.begin(), view.confidence.end()) {
   const std::size_t cells = confidence.size();
   height.reserve(cells);
@@ -63,6 +64,7 @@ Terrain::Terrain(TerrainLayers layers)
       min_y_m(layers.min_y_m) {
   const auto side = static_cast<std::size_t>(size);
   height = to_array(std::move(layers.height), {side, side});
+  standard_deviation = to_array(std::move(layers.standard_deviation), {side, side});
   confidence = to_array(std::move(layers.confidence), {side, side});
   variance = to_array(std::move(layers.variance), {side, side});
   lowest = to_array(std::move(layers.lowest), {side, side});
@@ -91,6 +93,10 @@ void bind_terrain(nb::module_& module) {
       .def_ro("height", &Terrain::height,
               nb::for_getter(nb::sig("def height(self) -> numpy.typing.NDArray[numpy.float64]")),
               "Estimated height of the ground in the map frame, metres.")
+      .def_ro("standard_deviation", &Terrain::standard_deviation,
+              nb::for_getter(
+                  nb::sig("def standard_deviation(self) -> numpy.typing.NDArray[numpy.float32]")),
+              "One standard deviation of the height, metres.")
       .def_ro(
           "confidence", &Terrain::confidence,
           nb::for_getter(nb::sig("def confidence(self) -> numpy.typing.NDArray[numpy.float32]")),

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "groundgrid/terrain_view.hpp"
@@ -14,13 +15,14 @@ namespace nb = nanobind;
 
 /// The layers of a map at one moment. Taken without the GIL.
 struct TerrainLayers {
-  explicit TerrainLayers(const TerrainView& view);
+  TerrainLayers(const TerrainView& view, std::span<const float> standard_deviation_m);
 
   int size;
   double cell_size_m;
   double min_x_m;
   double min_y_m;
   std::vector<double> height;
+  std::vector<float> standard_deviation;
   std::vector<float> confidence;
   std::vector<float> variance;
   std::vector<double> lowest;
@@ -37,6 +39,7 @@ struct Terrain {
   double min_x_m;
   double min_y_m;
   nb::object height;
+  nb::object standard_deviation;
   nb::object confidence;
   nb::object variance;
   nb::object lowest;

@@ -70,14 +70,15 @@ std::vector<float> distances_from(nb::handle path, const std::pair<double, doubl
 }
 
 nb::object compare(nb::handle estimated, nb::handle reference, double cell_size_m,
-                   nb::handle density, nb::handle count, nb::handle path,
-                   const std::pair<double, double>& corner_m, const nb::dict& masks,
-                   bool solve_offset) {
+                   nb::handle density, nb::handle standard_deviation, nb::handle count,
+                   nb::handle path, const std::pair<double, double>& corner_m,
+                   const nb::dict& masks, bool solve_offset) {
   const PackedArray estimate = PackedArray::floats(estimated, "estimated");
   const CellLattice lattice = lattice_of(estimate, cell_size_m);
   const PackedArray truth = PackedArray::floats(reference, "reference");
   require_shape(truth, "reference", lattice);
   const auto densities = layer_if_given(density, "density", lattice);
+  const auto deviations = layer_if_given(standard_deviation, "standard_deviation", lattice);
   const auto counts = layer_if_given(count, "count", lattice);
   const std::vector<float> path_distance_m = distances_from(path, corner_m, lattice);
   evaluation::TerrainLayers layers{.lattice = lattice,
@@ -85,6 +86,7 @@ nb::object compare(nb::handle estimated, nb::handle reference, double cell_size_
                                    .reference_m = truth.as_floats(),
                                    .path_distance_m = path_distance_m};
   if (densities) layers.density = densities->as_floats();
+  if (deviations) layers.deviation_m = deviations->as_floats();
   if (counts) layers.count = counts->as_floats();
   std::vector<PackedArray> held;
   for (const auto& [name, mask] : masks) {
@@ -107,18 +109,20 @@ void bind_terrain_metrics(nb::module_& module) {
   module.def(
       "compare_terrain", &compare, nb::arg("estimated").none(), nb::arg("reference").none(),
       nb::arg("cell_size_m"), nb::kw_only(), nb::arg("density") = nb::none(),
-      nb::arg("count") = nb::none(), nb::arg("path") = nb::none(),
-      nb::arg("corner_m") = std::pair<double, double>{0.0, 0.0}, nb::arg("masks") = nb::dict(),
-      nb::arg("solve_offset") = false,
+      nb::arg("standard_deviation") = nb::none(), nb::arg("count") = nb::none(),
+      nb::arg("path") = nb::none(), nb::arg("corner_m") = std::pair<double, double>{0.0, 0.0},
+      nb::arg("masks") = nb::dict(), nb::arg("solve_offset") = false,
       nb::sig("def compare_terrain(estimated: numpy.typing.ArrayLike, reference: "
               "numpy.typing.ArrayLike, cell_size_m: float, *, density: numpy.typing.ArrayLike | "
-              "None = None, count: numpy.typing.ArrayLike | None = None, path: "
-              "numpy.typing.ArrayLike | None = None, corner_m: tuple[float, float] = (0.0, 0.0), "
+              "None = None, standard_deviation: numpy.typing.ArrayLike | None = None, count: "
+              "numpy.typing.ArrayLike | None = None, path: numpy.typing.ArrayLike | None = None, "
+              "corner_m: tuple[float, float] = (0.0, 0.0), "
               "masks: dict[str, numpy.typing.ArrayLike] = {}, solve_offset: bool = False) -> "
               "dict[str, typing.Any]"),
       "Compares heights with those of a reference over the same square cells.\n\n"
       "estimated, reference: rows × columns heights, metres; NaN where there is none.\n"
       "density: greatest number of points per m² that one scan had around each cell.\n"
+      "standard_deviation: of each estimated height, metres, as the estimate has it.\n"
       "count: number of points in each cell over the whole drive.\n"
       "path: places of the vehicle, N × 2 or more, x, y first, metres, in the frame in which the\n"
       "  outer corner of cell [0, 0] is at corner_m.\n"
@@ -126,7 +130,8 @@ void bind_terrain_metrics(nb::module_& module) {
       "solve_offset: take the median difference in dense cells out of all figures.\n\n"
       "Returns the figures as `groundgrid evaluate-terrain --json` has them: 'all', 'density',\n"
       "'path_distance', 'slope' and 'masks', each group with 'cells', 'covered', 'coverage',\n"
-      "'rmse_m', 'mae_m', 'bias_m' and 'p95_m'. Raises TypeError and ValueError where an array is\n"
+      "'rmse_m', 'mae_m', 'bias_m' and 'p95_m', and 'standard_deviation', how honest these are.\n"
+      "Raises TypeError and ValueError where an array is\n"
       "of another type or shape.");
 }
 

@@ -108,6 +108,15 @@ def test_compares_terrains():
     assert solved["density"] is None and solved["path_distance"] is None
 
 
+def test_judges_standard_deviations():
+    errors = np.array([[0.05, -0.05, 0.15, 0.5]])
+    figures = compare_terrain(
+        errors, np.zeros((1, 4)), 1.0, standard_deviation=np.full((1, 4), 0.1)
+    )["standard_deviation"]["all"]
+    assert (figures["cells"], figures["within_one"], figures["within_two"]) == (4, 0.5, 0.75)
+    assert figures["median_m"] == pytest.approx(0.1)
+
+
 def test_the_path_may_be_in_the_terrains_frame():
     flat = np.zeros((4, 40))
     near = compare_terrain(flat, flat, 1.0, path=np.array([[100.5, 51.5]]), corner_m=(100, 50))

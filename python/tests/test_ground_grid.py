@@ -325,6 +325,7 @@ def test_terrain_has_layers_with_their_geometry(plane):
     shape = (terrain.size, terrain.size)
     for layer, dtype in [
         (terrain.height, np.float64),
+        (terrain.standard_deviation, np.float32),
         (terrain.confidence, np.float32),
         (terrain.variance, np.float32),
         (terrain.lowest, np.float64),
@@ -346,8 +347,11 @@ def test_terrain_has_layers_with_their_geometry(plane):
     tall = np.argwhere(terrain.highest > 5.95)
     np.testing.assert_allclose(terrain.x_m[tall[:, 1]], 106.0, atol=0.5)
     np.testing.assert_allclose(terrain.y_m[tall[:, 0]], -50.0, atol=2.5)
-    seen = terrain.confidence > 0.5
+    seen = terrain.highest < 5.6
+    assert seen.sum() > 1400
     np.testing.assert_allclose(terrain.height[seen], 5.5, atol=0.01)
+    assert np.all(terrain.standard_deviation > 0)
+    assert np.median(terrain.standard_deviation[seen]) < terrain.standard_deviation[0, 0]
 
 
 def test_terrain_is_a_copy(plane):
