@@ -14,10 +14,12 @@ python3=/usr/bin/python3
 mapfile -t packages < <("$python3" - <<'PYTHON'
 import tomllib
 with open("pyproject.toml", "rb") as file:
-    project = tomllib.load(file)
-print(*project["build-system"]["requires"], sep="\n")
-print(*project["project"]["dependencies"], sep="\n")
-print(*project["project"]["optional-dependencies"]["test"], sep="\n")
+    content = tomllib.load(file)
+project = content["project"]
+extras = project["optional-dependencies"].values()
+packages = content["build-system"]["requires"] + project["dependencies"] + sum(extras, [])
+# The package itself is what is built.
+print(*(each for each in packages if not each.startswith(project["name"])), sep="\n")
 PYTHON
 )
 "$folder/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}"

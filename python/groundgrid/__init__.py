@@ -6,11 +6,12 @@
     result.height_above_ground           # float32, N: metres, NaN where unknown
     grid.terrain.height                  # float64, rows x columns: metres, map frame
 
-`groundgrid.evaluation` scores labels and terrains, `groundgrid.simulation` drives LiDARs through
-made-up worlds whose labels and terrain are known exactly.
+`groundgrid.datasets` reads scans, `groundgrid.evaluation` scores labels and
+terrains, `groundgrid.simulation` drives LiDARs through made-up worlds whose labels and terrain are
+known exactly.
 """
 
-from . import evaluation, simulation
+from . import datasets, evaluation, simulation
 from ._core import (
     Config,
     GroundGrid,
@@ -33,6 +34,7 @@ __all__ = [
     "SensorScan",
     "Terrain",
     "__version__",
+    "datasets",
     "estimate_sensor_height",
     "evaluation",
     "parameters",

@@ -17,5 +17,6 @@ void bind_ground_grid(nb::module_& module);
 void bind_segmentation_metrics(nb::module_& module);
 void bind_terrain_metrics(nb::module_& module);
 void bind_simulation(nb::module_& module);
+void bind_scan_files(nb::module_& module);
 
 }  // namespace groundgrid::python

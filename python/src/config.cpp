@@ -4,6 +4,7 @@
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
@@ -41,9 +42,10 @@ std::string repr_of_config(const Config& config) {
 }
 
 bool equal(const Config& one, const Config& other) {
-  for (const Parameter& parameter : parameters())
-    if (!value_of(one, parameter).equal(value_of(other, parameter))) return false;
-  return true;
+  const auto all = parameters();
+  return std::all_of(all.begin(), all.end(), [&](const Parameter& parameter) {
+    return value_of(one, parameter).equal(value_of(other, parameter));
+  });
 }
 
 Config from_toml(nb::handle path, const std::string& start) {

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "array_input.hpp"
@@ -80,10 +81,12 @@ ArrayResult process_scans(SharedGrid& self, const std::vector<ScanArguments>& ar
 ArrayResult process_scan(SharedGrid& self, nb::object points, nb::handle pose, nb::object mounting,
                          nb::object times, nb::object time_span, nb::handle pose_begin,
                          nb::handle out) {
-  return process_scans(self, {{points, mounting, times, time_span}}, pose, pose_begin, out);
+  return process_scans(
+      self, {{std::move(points), std::move(mounting), std::move(times), std::move(time_span)}},
+      pose, pose_begin, out);
 }
 
-std::optional<double> estimate_height(nb::object points, const Config& config) {
+std::optional<double> estimate_height(nb::handle points, const Config& config) {
   const PointArray array(points);
   const nb::gil_scoped_release no_gil;
   std::vector<std::byte> copy;

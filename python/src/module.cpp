@@ -12,4 +12,5 @@ NB_MODULE(_core, module) {
   bind_segmentation_metrics(module);
   bind_terrain_metrics(module);
   bind_simulation(module);
+  bind_scan_files(module);
 }

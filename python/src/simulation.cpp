@@ -172,9 +172,7 @@ TrueTerrain terrain_of(SharedDrive& self) {
           to_array(std::move(layers.kerbs), {rows, columns})};
 }
 
-nb::for_getter<nb::sig> array_of_float32(const char* signature) {
-  return nb::for_getter(nb::sig(signature));
-}
+nb::for_getter<nb::sig> array_of_float32(const char* signature) { return {nb::sig(signature)}; }
 
 void bind_scan(nb::module_& module) {
   nb::class_<ScanWithTruth>(module, "SimulatedScan",
@@ -247,7 +245,7 @@ void bind_drive(nb::module_& module) {
       .def(
           "__iter__",
           [](nb::handle self) {
-            const nb::object iterator = nb::steal(PySeqIter_New(self.ptr()));
+            nb::object iterator = nb::steal(PySeqIter_New(self.ptr()));
             if (!iterator.is_valid()) throw nb::python_error();
             return iterator;
           },

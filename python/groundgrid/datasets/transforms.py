@@ -1,0 +1,124 @@
+"""Poses from quaternions, between two times, and along a tree of frames."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Matrix = npt.NDArray[np.float64]
+Vector = npt.NDArray[np.float64]
+
+# How far a time may lie before the first pose or behind the last one.
+TOLERANCE_NS = 100_000_000
+
+
+def quaternion_of(orientation: Any) -> Vector:
+    """x, y, z, w of length 1 from members of these names. Raises ValueError for another length."""
+    quaternion = np.array([orientation.x, orientation.y, orientation.z, orientation.w], np.float64)
+    length = np.linalg.norm(quaternion)
+    if not abs(length - 1.0) <= 1e-3:
+        raise ValueError(f"expected a quaternion of length 1, got one of length {length}")
+    return quaternion / length
+
+
+def matrix_of(position: Vector, quaternion: Vector) -> Matrix:
+    """4 x 4 of a translation and a quaternion x, y, z, w."""
+    x, y, z, w = quaternion
+    matrix = np.eye(4)
+    matrix[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+    ]
+    matrix[:3, 3] = position
+    return matrix
+
+
+def between(first: Vector, second: Vector, share: float) -> Vector:
+    """A rotation between two, about one axis at one speed."""
+    cosine = float(first @ second)
+    if cosine < 0.0:
+        second, cosine = -second, -cosine
+    angle = np.arccos(min(cosine, 1.0))
+    if angle < 1e-6:
+        mixed = (1.0 - share) * first + share * second
+    else:
+        mixed = np.sin((1.0 - share) * angle) * first + np.sin(share * angle) * second
+    return mixed / np.linalg.norm(mixed)
+
+
+class Track:
+    """The way of one frame in another."""
+
+    def __init__(self) -> None:
+        self._poses: dict[int, tuple[Vector, Vector]] = {}
+        self._times: list[int] = []
+
+    def add(self, time_ns: int, position: Any, orientation: Any) -> None:
+        place = np.array([position.x, position.y, position.z], np.float64)
+        self._poses[time_ns] = place, quaternion_of(orientation)
+        self._times = []
+
+    def at(self, time_ns: int) -> Matrix | None:
+        """Interpolated; None where the time lies outside of the track."""
+        if not self._times:
+            self._times = sorted(self._poses)
+        after = bisect_left(self._times, time_ns)
+        if 0 < after < len(self._times):
+            return self._between(self._times[after - 1], self._times[after], time_ns)
+        nearest = self._times[0 if after == 0 else -1]
+        return matrix_of(*self._poses[nearest]) if abs(nearest - time_ns) <= TOLERANCE_NS else None
+
+    def _between(self, first: int, second: int, time_ns: int) -> Matrix:
+        share = (time_ns - first) / (second - first)
+        (begin, begin_turn), (end, end_turn) = self._poses[first], self._poses[second]
+        return matrix_of(begin + share * (end - begin), between(begin_turn, end_turn, share))
+
+
+class FrameTree:
+    """Frames and where they are in their parents."""
+
+    def __init__(self) -> None:
+        self._fixed: dict[str, tuple[str, Matrix]] = {}
+        self._moving: dict[str, tuple[str, Track]] = {}
+
+    def add_fixed(self, parent: str, child: str, position: Any, orientation: Any) -> None:
+        track = Track()
+        track.add(0, position, orientation)
+        matrix = track.at(0)
+        assert matrix is not None
+        self._fixed[child] = parent, matrix
+
+    def add_moving(
+        self, parent: str, child: str, time_ns: int, position: Any, orientation: Any
+    ) -> None:
+        self._moving.setdefault(child, (parent, Track()))[1].add(time_ns, position, orientation)
+
+    def knows(self, child: str) -> bool:
+        """Whether the frame has a parent."""
+        return child in self._fixed or child in self._moving
+
+    def pose(self, frame: str, time_ns: int, reference: str | None = None) -> Matrix | None:
+        """T_reference_frame, the reference being the root of the tree where it is left out.
+
+        None where the frame has no parent, the reference is not above it, or a time is unknown.
+        """
+        matrix, seen = np.eye(4), {frame}
+        moved = False
+        while frame != reference and self.knows(frame):
+            if frame in self._moving:
+                frame, track = self._moving[frame]
+                step = track.at(time_ns)
+                moved = True
+            else:
+                frame, step = self._fixed[frame]
+            if step is None or frame in seen:
+                return None
+            seen.add(frame)
+            matrix = step @ matrix
+        if reference is None:
+            return matrix if moved else None
+        return matrix if frame == reference else None

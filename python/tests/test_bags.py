@@ -1,0 +1,246 @@
+"""Recordings that the test writes, with fields laid out in odd ways."""
+
+
+import numpy as np
+import pytest
+from rosbags.rosbag1 import Writer as Writer1
+from rosbags.rosbag2 import StoragePlugin
+from rosbags.rosbag2 import Writer as Writer2
+from rosbags.typesys import Stores, get_typestore
+
+import groundgrid
+from groundgrid.datasets import BagDataset
+
+STORE = get_typestore(Stores.ROS2_HUMBLE)
+STORE1 = get_typestore(Stores.ROS1_NOETIC)
+CLOUD = "sensor_msgs/msg/PointCloud2"
+TYPES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
+
+# Fields with their types and offsets, bytes a point, rows and points a row, bytes behind a row,
+# byte order.
+LAYOUTS = {
+    "plain": ([("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8), ("intensity", "f4", 12)],
+              16, 1, 6, 0, "<"),
+    "velodyne": ([("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8), ("intensity", "f4", 16),
+                  ("ring", "u2", 20), ("time", "f4", 24)], 32, 1, 6, 0, "<"),
+    "float64 behind a ring of uint8": ([("ring", "u1", 0), ("z", "f8", 1), ("y", "f8", 9),
+                                        ("x", "f8", 17)], 26, 1, 6, 0, "<"),
+    "organised with padded rows": ([("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8),
+                                    ("intensity", "u2", 12)], 14, 2, 3, 5, "<"),
+    "big-endian": ([("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8), ("t", "u4", 12)],
+                   16, 1, 6, 0, ">"),
+    "big-endian, organised, padded": ([("x", "f8", 0), ("y", "f8", 8), ("z", "f8", 16),
+                                       ("intensity", "u1", 24)], 27, 3, 2, 4, ">"),
+}
+
+
+def values(name, scan):
+    """What the points of a scan are, exact in every type."""
+    start = {"x": 1, "y": 20, "z": -3, "intensity": 60, "ring": 5, "time": 8, "t": 70000}[name]
+    return start + scan + np.arange(6)
+
+
+def header(store, time_s, frame):
+    kind = store.types["std_msgs/msg/Header"]
+    stamp = store.types["builtin_interfaces/msg/Time"](int(time_s), int(round(time_s % 1 * 1e9)))
+    extra = {"seq": 0} if store is STORE1 else {}
+    return kind(**extra, stamp=stamp, frame_id=frame)
+
+
+def cloud(store, layout, scan, time_s=0.0, frame="lidar"):
+    fields, step, height, width, padding, order = LAYOUTS[layout]
+    row = step * width + padding
+    data = np.full(height * row, 0xEE, np.uint8)
+    for name, kind, offset in fields:
+        numbers = values(name, scan).astype(order + kind)
+        for i in range(len(numbers)):
+            begin = i // width * row + i % width * step + offset
+            data[begin : begin + numbers.itemsize] = numbers[i : i + 1].view(np.uint8)
+    field = store.types["sensor_msgs/msg/PointField"]
+    return store.types[CLOUD](
+        header=header(store, time_s, frame),
+        height=height,
+        width=width,
+        fields=[field(name, offset, TYPES[kind], 1) for name, kind, offset in fields],
+        is_bigendian=order == ">",
+        point_step=step,
+        row_step=row,
+        data=data,
+        is_dense=True,
+    )
+
+
+def write(path, messages, storage):
+    """messages: (topic, message, recorded at, seconds)."""
+    store = STORE1 if storage == "ros1" else STORE
+    if storage == "ros1":
+        path = path.with_suffix(".bag")
+        writer = Writer1(path)
+    else:
+        writer = Writer2(path, version=9, storage_plugin=getattr(StoragePlugin, storage))
+    with writer:
+        connections = {}
+        for topic, message, time_s in messages:
+            kind = message.__msgtype__
+            if topic not in connections:
+                connections[topic] = writer.add_connection(topic, kind, typestore=store)
+            serialize = store.serialize_ros1 if storage == "ros1" else store.serialize_cdr
+            writer.write(connections[topic], int(time_s * 1e9), serialize(message, kind))
+    return path
+
+
+def store_of(storage):
+    return STORE1 if storage == "ros1" else STORE
+
+
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+@pytest.mark.parametrize("layout", LAYOUTS)
+def test_any_layout_comes_back_right_and_in_order(tmp_path, layout, storage):
+    messages = [("/points", cloud(store_of(storage), layout, scan, scan), scan) for scan in range(3)]
+    dataset = groundgrid.datasets.open(write(tmp_path / "drive", messages, storage))
+    assert len(dataset) == 3 and dataset.topic == "/points"
+    names = [name for name, _, _ in LAYOUTS[layout][0]]
+    for number, scan in enumerate(dataset):
+        assert scan.name == f"00000{number}" and scan.time_s == number and scan.pose is None
+        assert list(scan.fields) == names
+        for name, kind, _ in LAYOUTS[layout][0]:
+            np.testing.assert_array_equal(scan.fields[name], values(name, number))
+            assert scan.fields[name].dtype == np.dtype(kind)
+        for column, name in enumerate(("x", "y", "z", "intensity")):
+            expected = values(name, number) if name in names else np.zeros(6)
+            np.testing.assert_array_equal(scan.points[:, column], expected)
+        assert scan.points.dtype == np.float32 and scan.points.flags.c_contiguous
+        groundgrid.GroundGrid(sensor_height_m=1.0).process(scan.points)
+
+
+def test_a_lone_mcap_file_will_do(tmp_path):
+    folder = write(tmp_path / "drive", [("/points", cloud(STORE, "plain", 0), 0)], "MCAP")
+    (file,) = folder.glob("*.mcap")
+    moved = file.rename(tmp_path / "alone.mcap")
+    assert len(list(groundgrid.datasets.open(moved))) == 1
+
+
+def vector(x, y, z):
+    return STORE.types["geometry_msgs/msg/Vector3"](x, y, z)
+
+
+def turn(degrees):
+    half = np.radians(degrees) / 2
+    return STORE.types["geometry_msgs/msg/Quaternion"](0.0, 0.0, np.sin(half), np.cos(half))
+
+
+def tf(time_s, parent, child, place, degrees=0.0):
+    types = STORE.types
+    transform = types["geometry_msgs/msg/Transform"](vector(*place), turn(degrees))
+    stamped = types["geometry_msgs/msg/TransformStamped"](
+        header(STORE, time_s, parent), child, transform
+    )
+    return types["tf2_msgs/msg/TFMessage"]([stamped])
+
+
+def odometry(time_s, x, child="base"):
+    types = STORE.types
+    point = types["geometry_msgs/msg/Point"](x, 0.0, 0.0)
+    pose = types["geometry_msgs/msg/PoseWithCovariance"](
+        types["geometry_msgs/msg/Pose"](point, turn(0.0)), np.zeros(36)
+    )
+    twist = types["geometry_msgs/msg/TwistWithCovariance"](
+        types["geometry_msgs/msg/Twist"](vector(0.0, 0.0, 0.0), vector(0.0, 0.0, 0.0)), np.zeros(36)
+    )
+    return types["nav_msgs/msg/Odometry"](header(STORE, time_s, "odom"), child, pose, twist)
+
+
+@pytest.fixture
+def moving(tmp_path):
+    """Base turns to the left by 90 degrees and moves 4 m in a second; odometry has 8 m."""
+    return write(
+        tmp_path / "moving",
+        [
+            ("/tf_static", tf(0, "base", "lidar", (1.0, 0.0, 2.0)), 0.0),
+            ("/tf", tf(10.0, "map", "base", (0.0, 0.0, 0.0)), 0.1),
+            ("/odom", odometry(10.0, 0.0), 0.1),
+            ("/points", cloud(STORE, "plain", 0, 10.5), 0.2),
+            ("/tf", tf(11.0, "map", "base", (4.0, 0.0, 0.0), 90.0), 0.3),
+            ("/odom", odometry(11.0, 8.0), 0.3),
+            ("/points", cloud(STORE, "plain", 1, 11.05), 0.4),
+            ("/points", cloud(STORE, "plain", 2, 12.0), 0.5),
+        ],
+        "MCAP",
+    )
+
+
+def test_poses_come_from_tf_between_its_times(moving):
+    first, second, third = BagDataset(moving)
+    root = np.sqrt(0.5)
+    expected = [[root, -root, 0, 2 + root], [root, root, 0, root], [0, 0, 1, 2], [0, 0, 0, 1]]
+    np.testing.assert_allclose(first.pose, expected, atol=1e-9)
+    np.testing.assert_allclose(second.pose[:3, 3], [4, 1, 2], atol=1e-9)
+    assert third.pose is None  # a second after the last transform
+    assert first.time_s == 10.5
+
+
+def test_poses_may_be_in_any_frame_above(moving):
+    np.testing.assert_allclose(next(iter(BagDataset(moving, frame="base"))).pose[:3, 3], [1, 0, 2])
+    assert next(iter(BagDataset(moving, frame="moon"))).pose is None
+
+
+def test_poses_come_from_odometry_where_it_is_named(moving):
+    first = next(iter(BagDataset(moving, odometry="/odom")))
+    np.testing.assert_allclose(first.pose[:3, 3], [5, 0, 2], atol=1e-9)
+    with pytest.raises(ValueError, match="expected odometry on /wheels, got none"):
+        BagDataset(moving, odometry="/wheels")
+
+
+def test_poses_come_from_odometry_where_there_is_no_tf(tmp_path):
+    messages = [
+        ("/odom", odometry(1.0, 3.0, child="lidar"), 0.0),
+        ("/points", cloud(STORE, "plain", 0, 1.0), 0.1),
+    ]
+    (scan,) = BagDataset(write(tmp_path / "drive", messages, "SQLITE3"))
+    np.testing.assert_allclose(scan.pose[:3, 3], [3, 0, 0])
+
+
+def test_one_of_several_topics_is_to_be_named(tmp_path):
+    messages = [(topic, cloud(STORE, "plain", 0), 0) for topic in ("/front", "/rear")]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    with pytest.raises(ValueError, match="expected one topic of PointCloud2, got /front, /rear"):
+        BagDataset(path)
+    with pytest.raises(ValueError, match="expected clouds on /top, got /front, /rear"):
+        BagDataset(path, topic="/top")
+    assert len(list(BagDataset(path, topic="/rear"))) == 1
+
+
+def test_other_files_are_refused(tmp_path):
+    with pytest.raises(FileNotFoundError, match="nothing.bag"):
+        BagDataset(tmp_path / "nothing.bag")
+    for name in ("drive.bag", "drive.mcap", "drive.db3"):
+        (tmp_path / name).write_bytes(b"no recording")
+        with pytest.raises(ValueError, match=name):
+            BagDataset(tmp_path / name)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"data": np.zeros(50, np.uint8)}, "expected 1 rows of 6 points in 96 bytes, got 50"),
+        ({"point_step": 14}, "field 'intensity' reaches beyond a point of 14 bytes"),
+        ({"height": 2, "width": 3, "row_step": 16}, "16 a row"),
+        ({"width": 2**31}, "points in 34359738368 bytes"),
+        ({"fields": []}, "got none named x, y, z"),
+    ],
+)
+def test_messages_that_contradict_themselves_are_refused(tmp_path, change, words):
+    message = cloud(STORE, "plain", 0)
+    for name, value in change.items():
+        object.__setattr__(message, name, value)
+    path = write(tmp_path / "drive", [("/points", message, 0)], "MCAP")
+    with pytest.raises(ValueError, match=f"message 0 of /points: .*{words}"):
+        list(BagDataset(path))
+
+
+def test_empty_clouds_are_scans_of_no_points(tmp_path):
+    message = cloud(STORE, "plain", 0)
+    object.__setattr__(message, "width", 0)
+    object.__setattr__(message, "data", np.zeros(0, np.uint8))
+    (scan,) = BagDataset(write(tmp_path / "drive", [("/points", message, 0)], "MCAP"))
+    assert scan.points.shape == (0, 4)
