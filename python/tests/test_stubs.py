@@ -37,10 +37,13 @@ WRONG = {
 
 
 def run(*arguments, cwd):
+    folder = str(PACKAGE.parent)
+    # mypy finds what is installed by itself, and wants it named nowhere else.
+    is_installed = "site-packages" in PACKAGE.parent.parts
     return subprocess.run(
         [sys.executable, "-m", *arguments],
         cwd=cwd,
-        env={"MYPYPATH": str(PACKAGE.parent), "PYTHONPATH": str(PACKAGE.parent)},
+        env={} if is_installed else {"MYPYPATH": folder, "PYTHONPATH": folder},
         capture_output=True,
         text=True,
     )
