@@ -20,10 +20,10 @@ struct LayersTile {
   }
 
   Layer confidence{};  ///< Of the scan that told slope, step and roughness.
-  Layer slope_deg;
-  Layer step_m;
-  Layer roughness_m;
-  Layer obstacle_height_m;  ///< Of the last scan that told one.
+  Layer slope_deg{};
+  Layer step_m{};
+  Layer roughness_m{};
+  Layer obstacle_height_m{};  ///< Of the last scan that told one.
 };
 
 }  // namespace groundgrid::geotiff

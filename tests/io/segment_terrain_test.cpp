@@ -45,6 +45,18 @@ TEST_F(Segment, WritesATerrainForEachSingleScan) {
   EXPECT_FALSE(fs::exists(output() / "sequences/00/terrain.tif"));
 }
 
+TEST_F(Segment, WritesTheLayersBesideTheTerrain) {
+  dataset.add_sequence("00", 2);
+  ASSERT_EQ(segment("--terrain --terrain-layers --drive-step-m 0.05").exit_code, 0);
+  EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain.tif"));
+  EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain_layers.tif"));
+  ASSERT_EQ(segment("--terrain --terrain-layers --single-scan").exit_code, 0);
+  EXPECT_TRUE(fs::exists(output() / "sequences/00/terrain/000001_layers.tif"));
+  EXPECT_EQ(segment("--terrain-layers").exit_code, 2);
+  EXPECT_EQ(segment("--terrain --drive-step-m 0.05").exit_code, 2);
+  EXPECT_EQ(segment("--terrain --terrain-layers --drive-step-m -1").exit_code, 2);
+}
+
 std::ptrdiff_t cells_with_a_height(const fs::path& raster) {
   const std::vector<float> heights = geotiff::read_height_raster(raster).heights_m;
   return std::count_if(heights.begin(), heights.end(),
