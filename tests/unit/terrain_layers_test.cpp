@@ -219,7 +219,7 @@ TEST(TerrainLayers, ObstaclesByPointsSeeUnderWhatHangsOver) {
   points.add(12.25, 20.75, 102.0, Label::unknown);   // cell (4, 1): the own vehicle
   points.add(12.75, 20.75, 100.0, Label::outlier);   // cell (5, 1): a reflection
   points.add(50.0, 20.75, 102.0, Label::obstacle);   // outside
-  points.add(NAN, 20.75, 102.0, Label::obstacle);
+  points.add(std::nan(""), 20.75, 102.0, Label::obstacle);
   TerrainLayers layers;
   const SensorScan scan = points.scan();
   layers.update(map.view(), std::span(&scan, 1), TurnedScan::T_map_base(), points.labels);
