@@ -7,8 +7,11 @@
 namespace groundgrid::geotiff {
 namespace {
 
-// What lies farther from a window's cells than this changes them by millimetres at most.
+// What lies farther from a window's cells than this hardly changes them.
 constexpr double kContext_m = 20.0;
+// Windows have their middles on multiples of so many cells: the blocks of planes, the first four
+// levels of them, are then the same ones in windows side by side, and leave no seam.
+constexpr std::int64_t kSharedBlock = 135;
 // Over a drive more of what stands about is seen from above: a terrace has to be this wide.
 constexpr double kPlateauArea_m2 = 10.0;
 
@@ -34,6 +37,12 @@ LocalPlane plane_through(std::span<const std::uint32_t> cells, std::span<const f
   return {plane.x(), plane.y(), plane.z()};
 }
 
+/// The multiple of kSharedBlock that is nearest to the middle of some cells.
+std::int64_t shared_middle(std::int64_t first, std::int64_t end) {
+  const double blocks = 0.5 * static_cast<double>(first + end) / static_cast<double>(kSharedBlock);
+  return std::llround(blocks) * kSharedBlock;
+}
+
 }  // namespace
 
 TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, double cell_size_m)
@@ -56,9 +65,12 @@ TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, dou
 }
 
 CellRange TerrainSurface::window_around(const CellRange& cells) const {
-  const auto margin = static_cast<std::int64_t>(std::ceil(kContext_m / cell_size_m_));
-  return {cells.first_column - margin, cells.end_column + margin, cells.first_row - margin,
-          cells.end_row + margin};
+  const auto context = static_cast<std::int64_t>(std::ceil(kContext_m / cell_size_m_));
+  const std::int64_t longer = std::max(cells.columns(), cells.rows());
+  const std::int64_t half = (longer + kSharedBlock) / 2 + 1 + context;
+  const std::int64_t column = shared_middle(cells.first_column, cells.end_column);
+  const std::int64_t row = shared_middle(cells.first_row, cells.end_row);
+  return {column - half, column + half + 1, row - half, row + half + 1};
 }
 
 void TerrainSurface::complete(HeightWindow& window) {

@@ -33,8 +33,8 @@ struct HeightWindow {
 };
 
 /// Turns heights into a surface, window by window: as far as a window reaches beyond its inner
-/// cells by the margin, these come out as if all the terrain had been at hand, but for millimetres
-/// where they are far from any known one.
+/// cells by the margin, these come out as if all the terrain had been at hand, but for millimetres,
+/// and centimetres where they are far from any known one.
 class TerrainSurface {
  public:
   /// Without options all heights stay and no gap is filled: only deviations are told.

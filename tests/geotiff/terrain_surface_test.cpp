@@ -127,6 +127,29 @@ TEST(TerrainSurface, IsTheSameWindowByWindowToAMillimetre) {
   }
 }
 
+TEST(TerrainSurface, WindowsSideBySideAgreeWhereTheyMeet) {
+  // Hills of which stripes are known, so that there is much to fill.
+  const HeightAt hills = [](std::int64_t column, std::int64_t row) {
+    if ((row / 9) % 2 == 0 || (column / 16) % 3 == 0) return kGap;
+    return static_cast<float>(3.0 * std::sin(static_cast<double>(column) / 40.0) +
+                              2.0 * std::cos(static_cast<double>(row) / 25.0));
+  };
+  TerrainSurface surface(SurfaceOptions{}, kCell_m);
+  HeightWindow left = window_of(surface.window_around({0, 256, 0, 256}), hills);
+  surface.complete(left);
+  HeightWindow right = window_of(surface.window_around({256, 512, 0, 256}), hills);
+  surface.complete(right);
+  std::vector<float> apart;  // of filled cells
+  for (std::int64_t row = 0; row < 256; ++row)
+    for (std::int64_t column = 250; column < 262; ++column)
+      if (std::isnan(hills(column, row)) && !std::isnan(at(left, column, row)))
+        apart.push_back(std::abs(at(left, column, row) - at(right, column, row)));
+  ASSERT_GT(apart.size(), 500U);
+  std::sort(apart.begin(), apart.end());
+  EXPECT_LT(apart[apart.size() / 2], 0.01F);
+  EXPECT_LT(apart.back(), 0.15F);
+}
+
 TEST(TerrainSurface, DeviationsGrowIntoGapsAndAreNowhereElse) {
   const HeightAt gap = [](std::int64_t column, std::int64_t) {
     return column < 20 || column >= 32 ? 1.0F : kGap;
