@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace groundgrid::geotiff {
@@ -34,6 +35,12 @@ inline CellRange hull(const CellRange& a, const CellRange& b) {
 inline CellRange moved(const CellRange& range, std::int64_t columns, std::int64_t rows) {
   return {range.first_column + columns, range.end_column + columns, range.first_row + rows,
           range.end_row + rows};
+}
+
+/// Place of a cell among those of a range, row by row, x fastest.
+inline std::size_t index_in(const CellRange& cells, std::int64_t column, std::int64_t row) {
+  return static_cast<std::size_t>((row - cells.first_row) * cells.columns() + column -
+                                  cells.first_column);
 }
 
 }  // namespace groundgrid::geotiff

@@ -94,19 +94,12 @@ class LayersBlock {
   std::vector<float> pixels_;
 };
 
-std::size_t cell_in_layers_tile(const CellRange& tile_cells, std::int64_t column,
-                                std::int64_t row) {
-  return static_cast<std::size_t>((row - tile_cells.first_row) * LayersTile::kSide + column -
-                                  tile_cells.first_column);
-}
-
 void copy_layers(const LayersTile& tile, const CellRange& tile_cells,
                  const TraversabilityLimits& limits, LayersBlock& block) {
   const CellRange cells = overlap(tile_cells, block.cells());
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row)
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column)
-      block.set(column, row,
-                layer_pixel(tile, cell_in_layers_tile(tile_cells, column, row), limits));
+      block.set(column, row, layer_pixel(tile, index_in(tile_cells, column, row), limits));
 }
 
 }  // namespace
@@ -158,7 +151,7 @@ void LayersMosaic::Tiles::add_to_tile(TileIndex index, const TerrainView& view,
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
       const auto in_view = static_cast<std::size_t>((row - window.first_row) * view.size + column -
                                                     window.first_column);
-      if (tell(tile, cell_in_layers_tile(tile_cells, column, row), view, layers, in_view))
+      if (tell(tile, index_in(tile_cells, column, row), view, layers, in_view))
         told_ = hull(told_, {column, column + 1, row, row + 1});
     }
   }

@@ -46,11 +46,6 @@ CellRange told_cells(const TerrainView& view, const std::vector<std::uint32_t>& 
   return all;
 }
 
-std::size_t cell_in_tile(const CellRange& tile_cells, std::int64_t column, std::int64_t row) {
-  return static_cast<std::size_t>((row - tile_cells.first_row) * MosaicTile::kSide + column -
-                                  tile_cells.first_column);
-}
-
 float height_of(const MosaicTile& tile, std::size_t cell) {
   return static_cast<float>(tile.weighted_height[cell] / tile.weight[cell]);
 }
@@ -75,7 +70,7 @@ void copy(const MosaicTile& tile, const CellRange& tile_cells, double area_m2,
   const CellRange cells = overlap(tile_cells, block.cells());
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
-      const std::size_t cell = cell_in_tile(tile_cells, column, row);
+      const std::size_t cell = index_in(tile_cells, column, row);
       block.set(column, row, pixel_of(tile, cell, area_m2));
     }
   }
@@ -85,7 +80,7 @@ void copy_heights(const MosaicTile& tile, const CellRange& tile_cells, HeightWin
   const CellRange cells = overlap(tile_cells, window.cells);
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
-      const std::size_t cell = cell_in_tile(tile_cells, column, row);
+      const std::size_t cell = index_in(tile_cells, column, row);
       if (tile.weight[cell] > 0.0)
         window.heights[window.index(column, row)] = height_of(tile, cell);
     }

@@ -27,8 +27,7 @@ struct HeightWindow {
   std::vector<float> deviations;
 
   [[nodiscard]] std::size_t index(std::int64_t column, std::int64_t row) const {
-    return static_cast<std::size_t>((row - cells.first_row) * cells.columns() + column -
-                                    cells.first_column);
+    return index_in(cells, column, row);
   }
 };
 
