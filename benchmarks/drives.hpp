@@ -27,4 +27,23 @@ struct Drive {
 /// points. Read once.
 const Drive& drive();
 
+/// The same with every n-th point alone.
+Drive thinned(const Drive& drive, std::size_t n);
+
+/// The same with the points of the last n scans together, in the frame of the last, as the last.
+Drive merged(const Drive& drive, std::size_t n);
+
+/// The size of a scan, in thousands of points.
+enum Kilopoints : int {
+  k30 = 30,     ///< Every fourth point of drive().
+  k60 = 60,     ///< Every second.
+  k124 = 124,   ///< drive().
+  k262 = 262,   ///< A simulated LiDAR of 128 beams with 2048 points each, that writes 0, 0, 0 for
+                ///< rays without a return, as Ouster's driver does.
+  k1000 = 1000  ///< Eight scans of drive() in one.
+};
+
+/// A drive whose last scan is of that size. Made once.
+const Drive& drive_of(Kilopoints size);
+
 }  // namespace groundgrid::benchmarks

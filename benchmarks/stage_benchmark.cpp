@@ -8,6 +8,7 @@
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
 #include "core/ground_envelope.hpp"
+#include "core/ground_surface.hpp"
 #include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
 #include "core/parallel.hpp"
@@ -26,8 +27,9 @@ class Stages {
         map_(config),
         grid_(map_.cells()),
         cells_(map_.cells()),
-        envelope_(map_),
-        limits_(map_.cells()) {
+        envelope_(map_, runner_),
+        surface_(map_, runner_),
+        limits_(map_, runner_) {
     for (const TimedScan& scan : drive().scans) {
       take(scan);
       run_all();
@@ -40,22 +42,33 @@ class Stages {
     rasterise();
     classify();
     reject_raised();
+    cells_before_ = cells_;
+    reject_from_surface();
     update();
     map_updated_ = map_;
-    interpolate_map();
+    fill_map();
     choose_limits();
   }
 
-  void bin() { bin_points(pass_, map_, config_, runner_, bins_); }
-  void filter() { filter_outliers(pass_, map_, config_, bins_, runner_, labels_); }
-  void rasterise() { rasterize(bins_, labels_, runner_, grid_); }
+  void bin() { bin_points(pass_, all_points(), map_, config_, bins_); }
+  void filter() { filter_outliers(pass_, all_points(), map_, config_, bins_); }
+  void rasterise() { rasterize(bins_, runner_, grid_); }
   void classify() { cells_.classify(grid_, map_, positions_, config_, runner_); }
   void reject_raised() {
     if (config_.reject_raised) envelope_.reject_raised(grid_, map_, ground_, config_, cells_);
   }
+  void reject_from_surface() {
+    if (config_.fit_surface) surface_.reject_raised(grid_, plane(), config_, cells_, map_);
+  }
   void update() {
     update_elevation(grid_, cells_, config_, runner_, map_);
     map_.mark_observed();
+  }
+  void fill_map() {
+    if (config_.fit_surface)
+      surface_.fill(grid_, plane(), config_, cells_, map_);
+    else
+      interpolate_map();
   }
   void interpolate_map() {
     const Point3f sensor = positions_.sensors.front();
@@ -64,7 +77,7 @@ class Stages {
   }
   void choose_limits() {
     if (config_.threshold_by_column)
-      limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
+      limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
     else
       limits_.choose_by_class(grid_, cells_.is_ground(), map_, config_);
   }
@@ -72,9 +85,16 @@ class Stages {
 
   void restore_map_before() { map_ = map_before_; }
   void restore_map_updated() { map_ = map_updated_; }
+  void restore_before_surface() {
+    map_ = map_before_;
+    cells_ = cells_before_;
+  }
   [[nodiscard]] std::size_t points() const { return pass_.points.count; }
 
  private:
+  [[nodiscard]] PointRange all_points() const { return {0, pass_.points.count}; }
+  [[nodiscard]] LocalPlane plane() const { return {map_.window_z(ground_.z), 0.0, 0.0}; }
+
   void take(const TimedScan& scan) {
     const Eigen::Vector3d position = scan.T_map_lidar.translation();
     ground_ = {position.x(), position.y(), position.z() - 1.73, 0.0, 0.0};
@@ -96,8 +116,9 @@ class Stages {
     rasterise();
     classify();
     reject_raised();
+    reject_from_surface();
     update();
-    interpolate_map();
+    fill_map();
     choose_limits();
     segment_points();
   }
@@ -110,7 +131,9 @@ class Stages {
   Plane ground_;
   ScanGrid grid_;
   GroundCells cells_;
+  GroundCells cells_before_{cells_};
   GroundEnvelope envelope_;
+  GroundSurface surface_;
   CellLimits limits_;
   BinnedPoints bins_;
   SensorPass pass_;
@@ -149,7 +172,10 @@ const bool kRegistered = [] {
   add("stage/classify", Config{}, &Stages::classify);
   add("stage/reject_raised", Config{}, &Stages::reject_raised, &Stages::classify);
   add("stage/update_elevation", Config{}, &Stages::update, &Stages::restore_map_before);
-  add("stage/interpolate", Config{}, &Stages::interpolate_map, &Stages::restore_map_updated);
+  add("stage/surface/reject_raised", Config{}, &Stages::reject_from_surface,
+      &Stages::restore_before_surface);
+  add("stage/surface/fill", Config{}, &Stages::fill_map, &Stages::restore_map_updated);
+  add("stage/interpolate", Config::paper(), &Stages::fill_map, &Stages::restore_map_updated);
   add("stage/choose_limits", Config{}, &Stages::choose_limits);
   add("stage/segment", Config{}, &Stages::segment_points);
   return true;

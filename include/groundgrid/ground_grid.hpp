@@ -6,6 +6,7 @@
 #include <span>
 
 #include "groundgrid/config.hpp"
+#include "groundgrid/executor.hpp"
 #include "groundgrid/export.hpp"
 #include "groundgrid/label.hpp"
 #include "groundgrid/scan.hpp"
@@ -50,10 +51,18 @@ struct ScanOutput {
 /// coordinates of b into a. Two objects share nothing and may run in two threads; one object is
 /// for one thread at a time. Labels and terrain are the same bits for any number of threads and
 /// any order of the points. Once warm and once the ground is found, process() allocates nothing.
+/// With Config::threads of 1, the default, it never starts a thread.
 class GROUNDGRID_EXPORT GroundGrid {
  public:
   /// Throws std::invalid_argument where config.validate() does.
   explicit GroundGrid(const Config& config = {});
+
+  /// Runs on the threads of an executor, such as groundgrid/tbb_executor.hpp, instead of its own;
+  /// Config::threads is then not used. Where the executor's concurrency is 1 all runs on the thread
+  /// that calls. The executor must outlive this object, and whatever this is moved to. What it
+  /// throws leaves process(), and every later process() of this object throws std::logic_error.
+  /// Throws std::invalid_argument also where its concurrency is less than 1.
+  GroundGrid(const Config& config, Executor& executor);
   ~GroundGrid();
   GroundGrid(GroundGrid&&) noexcept;
   GroundGrid& operator=(GroundGrid&&) noexcept;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "groundgrid/export.hpp"
@@ -24,11 +25,12 @@ struct TerrainCell {
 struct GROUNDGRID_EXPORT CellStatistics {
   static constexpr double kStep_m = 1e-4;
 
-  std::int64_t sum = 0;           ///< Sum of heights, steps.
-  std::uint64_t sum_squares = 0;  ///< Sum of squared heights, steps².
-  std::int32_t min = 0;           ///< Lowest height, steps.
-  std::int32_t max = 0;           ///< Highest height, steps.
-  std::uint32_t count = 0;        ///< Number of points.
+  alignas(32) std::int64_t sum = 0;  ///< Sum of heights, steps. Two cells to a cache line.
+  std::uint64_t sum_squares = 0;     ///< Sum of squared heights, steps².
+  /// Lowest and highest height, steps; without points the highest and the lowest number there is.
+  std::int32_t min = std::numeric_limits<std::int32_t>::max();
+  std::int32_t max = std::numeric_limits<std::int32_t>::min();
+  std::uint32_t count = 0;  ///< Number of points.
 
   /// Mean height in metres above the origin; NaN without points.
   [[nodiscard]] double mean_m() const;

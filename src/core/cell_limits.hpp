@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,7 +14,7 @@
 namespace groundgrid {
 
 /// Up to where a cell's points are ground.
-struct CellLimit {
+struct alignas(8) CellLimit {
   float level = 0.0F;      ///< Height from which points are measured, metres above the z origin.
   float threshold = 0.0F;  ///< Greatest height of a ground point above the level, metres.
 };
@@ -21,9 +22,8 @@ struct CellLimit {
 /// Chooses level and threshold of every occupied cell for the segmentation (paper III-F).
 class CellLimits {
  public:
-  explicit CellLimits(std::size_t cells) : limits_(cells), columns_(cells), offsets_(cells) {
-    collected_.reserve(cells);
-  }
+  /// For tasks on as many threads as `runner` has.
+  CellLimits(const ElevationMap& map, const TileRunner& runner);
 
   /// The paper's rule: the level is the map's height; h_g for ground cells, h_o for all others.
   void choose_by_class(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
@@ -33,9 +33,8 @@ class CellLimits {
   /// from the ground (higher than tall_height_m, but below overhang_height_m, so that crowns and
   /// bridges do not count) gets a tight threshold, any other a wide one. The level is the map's
   /// height, which rests on minima, raised to the mean of the ground points around.
-  void choose_by_column(const BinnedPoints& bins, std::span<const Label> labels,
-                        const ScanGrid& grid, const ElevationMap& map, const Config& config,
-                        TileRunner& runner);
+  void choose_by_column(const BinnedPoints& bins, const ScanGrid& grid, const ElevationMap& map,
+                        const Config& config, TileRunner& runner);
 
   /// Lets the cell's ground end at this height above the z origin, metres, if it does not before.
   void lower(std::uint32_t cell, float height) {
@@ -47,28 +46,36 @@ class CellLimits {
   [[nodiscard]] const std::vector<CellLimit>& limits() const { return limits_; }
 
  private:
-  /// What the points of one cell say relative to the map's height, in steps of 0.1 mm.
+  /// What the points of one cell say relative to the map's height.
   struct Column {
-    std::int32_t height = 0;
-    std::int32_t near_ground = 0;      ///< Points within the band around the height.
-    std::int64_t near_ground_sum = 0;  ///< Their heights above it.
-    std::int32_t rising = 0;           ///< Points that rise from the ground.
+    std::int64_t near_ground_sum =
+        0;                         ///< Heights of the points near it, above it, steps of 0.1 mm.
+    std::int32_t near_ground = 0;  ///< Points within the band around the height.
+    std::int32_t rising = 0;       ///< Points that rise from the ground.
   };
-  /// What the cell adds to the mean height of the ground points around, in points and steps.
-  struct Offset {
-    float weight = 0.0F;
-    float weighted_steps = 0.0F;
+  /// A cell that is not settled, and where its weights are.
+  struct MixedCell {
+    std::uint32_t cell = 0;
+    std::uint32_t place = 0;
   };
-  void collect_columns(const BinnedPoints& bins, std::span<const Label> labels,
-                       const ScanGrid& grid, const ElevationMap& map, const Config& config,
-                       TileRunner& runner);
+  void settle_cells(const ScanGrid& grid, const ElevationMap& map, const ColumnRule& rule,
+                    float threshold, std::vector<MixedCell>& mixed);
+  void count_columns(const BinnedPoints& bins, const ColumnRule& rule);
+  void judge_columns(const ScanGrid& grid, const Config& config, std::span<const MixedCell> mixed);
+  void clear_offsets(const CellBand& band);
+  void offer_offset(std::size_t place, const Column& column);
   [[nodiscard]] static bool rises(const Column& column, const Config& config);
-  [[nodiscard]] float mean_offset(int column, int row, int size) const;
+  void raise_row(const ScanGrid& grid, const ElevationMap& map, std::size_t row);
 
+  std::size_t size_;
   std::vector<CellLimit> limits_;
-  std::vector<Column> columns_;
-  std::vector<Offset> offsets_;
-  std::vector<std::uint32_t> collected_;  // cells of offsets_ that hold something
+  std::vector<std::int32_t> heights_;  // per cell, steps; kSettled where no point is looked at
+  std::vector<Column> columns_;        // per cell, of those that are not settled
+  std::array<std::vector<MixedCell>, kMaxBands> mixed_;  // those cells, ascending, by band
+  // See OffsetGrid.
+  std::vector<float> weights_;
+  std::vector<float> weighted_steps_;
+  std::vector<std::uint32_t> collected_;  // cells whose weights may be more than 0, ascending
 };
 
 }  // namespace groundgrid

@@ -57,7 +57,7 @@ void Config::validate() const {
   }
   if (map_extent_m / cell_size_m > 4096.0 || map_extent_m < 9.0 * cell_size_m)
     throw std::invalid_argument(
-        "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 180 bytes); choose "
+        "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 130 bytes); choose "
         "another cell_size_m");
 }
 

@@ -27,14 +27,17 @@ struct Exclusion {
                                    std::numeric_limits<float>::min())),
         has_box(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]) {}
 
-  [[nodiscard]] bool takes(const Point3f& in_sensor, const PointTransform& T_base_sensor) const {
-    const float range_squared =
-        in_sensor.x * in_sensor.x + in_sensor.y * in_sensor.y + in_sensor.z * in_sensor.z;
-    if (range_squared < min_range_squared) return true;
-    if (!has_box) return false;
+  [[nodiscard]] bool is_in_box(const Point3f& in_sensor,
+                               const PointTransform& T_base_sensor) const {
     const Point3f p = T_base_sensor.apply(in_sensor);
     return p.x >= min[0] && p.x <= max[0] && p.y >= min[1] && p.y <= max[1] && p.z >= min[2] &&
            p.z <= max[2];
+  }
+
+  [[nodiscard]] bool takes(const Point3f& in_sensor, const PointTransform& T_base_sensor) const {
+    const float range_squared =
+        in_sensor.x * in_sensor.x + in_sensor.y * in_sensor.y + in_sensor.z * in_sensor.z;
+    return range_squared < min_range_squared || (has_box && is_in_box(in_sensor, T_base_sensor));
   }
 };
 

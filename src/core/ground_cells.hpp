@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/elevation_map.hpp"
+#include "core/ground_cell_kernels.hpp"
 #include "core/parallel.hpp"
 #include "core/rasterization.hpp"
 
@@ -26,19 +27,13 @@ inline float slope_along(float before, float own, float after, float cell_size) 
   return (std::abs(rise_to) < std::abs(rise_from) ? rise_to : rise_from) / cell_size;
 }
 
-/// What the sums over a cell's 3×3 or 5×5 patch say; for every occupied cell.
-struct GroundCell {
-  float patch_points = 0.0F;     ///< ΣP.
-  float patch_elevation = 0.0F;  ///< Eq. 3, metres above the z origin.
-  float variance = 0.0F;         ///< The variance that was tested, m².
-  bool observed = false;         ///< Enough points to be judged at all.
-  bool ground = false;           ///< Classified as ground.
-};
+/// What a slope adds to the variance of a cell, over its square: points spread evenly over a width
+/// w that rises by s · w have a variance of (s · w)² / 12.
+inline float variance_per_slope(float cell_size) { return cell_size * cell_size / 12.0F; }
 
 /// The planar positions of the sensors in the window frame; distances are to the nearest one.
 struct SensorPositions {
   std::vector<Point3f> sensors;
-  [[nodiscard]] float distance_to(float x, float y) const;
 };
 
 /// Classification of ground cells, paper III-C. The scratch and the answer, reused every scan.
@@ -62,17 +57,13 @@ class GroundCells {
   [[nodiscard]] const std::vector<std::uint8_t>& is_ground() const { return is_ground_; }
 
  private:
-  struct Weighted {
-    float points = 0.0F;
-    float min_height = 0.0F;  ///< count · minimum
-    float variance = 0.0F;    ///< count · variance
-    float own_variance = 0.0F;
-  };
   void summarise(const ScanGrid& grid, TileRunner& runner);
-  [[nodiscard]] float slope_squared(int column, int row, int size, float cell_size) const;
-  [[nodiscard]] Weighted sum_patch(int column, int row, int half, int size) const;
+  void list_enough(const Config& config);
 
-  std::vector<Weighted> weighted_;
+  std::vector<WeightedCell> weighted_;
+  std::vector<float> enough_from_;  // see ClassRule; for the fraction and angle it was made for
+  double enough_fraction_ = -1.0;
+  double enough_angle_deg_ = 0.0;
   std::vector<std::uint32_t> summarised_;
   std::vector<GroundCell> cells_;
   std::vector<std::uint8_t> is_ground_;

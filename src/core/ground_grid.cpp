@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "core/cell_limits.hpp"
@@ -46,15 +47,15 @@ Plane ground_plane(const Eigen::Isometry3d& T_map_base, double ground_z) {
 /// The stages of the paper in their order, and the buffers they share.
 class GroundGrid::Pipeline {
  public:
-  explicit Pipeline(const Config& config)
+  Pipeline(const Config& config, TileRunner runner)
       : config_(checked(config)),
-        runner_(config.threads),
+        runner_(std::move(runner)),
         map_(config),
         grid_(map_.cells()),
         ground_cells_(map_.cells()),
-        envelope_(map_),
-        surface_(map_),
-        limits_(map_.cells()),
+        envelope_(map_, runner_),
+        surface_(map_, runner_),
+        limits_(map_, runner_),
         step_edges_(map_) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
@@ -85,10 +86,10 @@ class GroundGrid::Pipeline {
   void place_sensors(std::span<const SensorScan> scans, const Motion& motion);
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
   void choose_output(std::size_t points, const ScanOutput* output);
-  void run_stages();
+  void take_points(const SensorPass& pass);
+  LabelCounts run_stages();
   [[nodiscard]] LocalPlane plane_in_window() const;
   void interpolate_from_sensor();
-  void count_labels(ScanResult& result) const;
 
   Config config_;
   TileRunner runner_;
@@ -114,10 +115,13 @@ class GroundGrid::Pipeline {
   bool height_estimated_ = false;
   double ground_z_ = 0.0;  // height of the ground plane in base
   bool ground_known_ = false;
+  bool half_done_ = false;  // true for good where an executor threw
 };
 
 ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, const Motion& motion,
                                          const ScanOutput* output) {
+  if (half_done_)
+    throw std::logic_error("GroundGrid: an earlier scan failed half-way; make a new object");
   check_input(scans, motion, config_);
   std::size_t points = 0;
   for (const SensorScan& scan : scans) points += scan.points.count;
@@ -127,17 +131,22 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   if (passes_.size() < scans.size()) passes_.resize(scans.size());
   sensors_ = scans.size();
 
-  // Nothing from here on fails: a call either has no effect on the map or all of it.
+  // Nothing of ours fails from here on: a call either has no effect on the map or all of it.
+  half_done_ = true;
   ScanResult result;
   ground_z_ = find_ground(scans);
   result.sensor_height_m = sensor_height_;
   result.sensor_height_estimated = sensor_height_ && height_estimated_;
   result.map_restarted = place_map(motion.T_map_base_end);
   place_sensors(scans, motion);
-  run_stages();
-  count_labels(result);
+  const LabelCounts counts = run_stages();
+  result.ground = counts.ground;
+  result.obstacle = counts.obstacle;
+  result.outlier = counts.outlier;
+  result.unknown = counts.unknown;
   result.labels = labels_;
   result.height_above_ground = height_above_ground_;
+  half_done_ = false;
   return result;
 }
 
@@ -222,12 +231,28 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, cons
   }
 }
 
-void GroundGrid::Pipeline::run_stages() {
-  for (const SensorPass& pass : std::span(passes_).first(sensors_)) {
-    bin_points(pass, map_, config_, runner_, bins_);
-    filter_outliers(pass, map_, config_, bins_, runner_, labels_);
-  }
-  rasterize(bins_, labels_, runner_, grid_);
+/// Bins and filters points, some thousand at once, which then are still near at hand for the next
+/// step. One thread adds them to their cells at once, too.
+void GroundGrid::Pipeline::take_points(const SensorPass& pass) {
+  constexpr std::size_t kPointsAtOnce = 4096;
+  const CellBand all{0, static_cast<std::uint32_t>(map_.cells())};
+  runner_.parallel_for_ranges(
+      pass.points.count, kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
+        bin_points(pass, {begin, end}, map_, config_, bins_);
+        filter_outliers(pass, {begin, end}, map_, config_, bins_);
+        if (runner_.threads() == 1)
+          add_to_cells(bins_, {pass.first + begin, pass.first + end}, all, grid_);
+      });
+}
+
+LabelCounts GroundGrid::Pipeline::run_stages() {
+  clear(grid_);
+  for (const SensorPass& pass : std::span(passes_).first(sensors_)) take_points(pass);
+  if (runner_.threads() > 1)
+    for_each_band(map_.cells(), runner_, [&](const CellBand& band, std::size_t) {
+      add_to_cells(bins_, {0, bins_.cell.size()}, band, grid_);
+    });
+  list_occupied(grid_);
   ground_cells_.classify(grid_, map_, positions_, config_, runner_);
   if (config_.reject_raised)
     envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
@@ -240,12 +265,11 @@ void GroundGrid::Pipeline::run_stages() {
   else
     interpolate_from_sensor();
   if (config_.threshold_by_column)
-    limits_.choose_by_column(bins_, labels_, grid_, map_, config_, runner_);
+    limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
   else
     limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
-  if (config_.max_step_m > 0.0)
-    step_edges_.lower_limits(bins_, labels_, grid_, config_, runner_, limits_);
-  segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
+  if (config_.max_step_m > 0.0) step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_);
+  return segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
 }
 
 LocalPlane GroundGrid::Pipeline::plane_in_window() const {
@@ -259,15 +283,6 @@ void GroundGrid::Pipeline::interpolate_from_sensor() {
   const int column = none ? middle : map_.nearest_cell(positions_.sensors.front().x);
   const int row = none ? middle : map_.nearest_cell(positions_.sensors.front().y);
   interpolate(ground_cells_.is_ground(), column, row, config_, map_);
-}
-
-void GroundGrid::Pipeline::count_labels(ScanResult& result) const {
-  std::size_t counts[4] = {0, 0, 0, 0};
-  for (const Label label : labels_) ++counts[static_cast<std::size_t>(label)];
-  result.unknown = counts[static_cast<std::size_t>(Label::unknown)];
-  result.ground = counts[static_cast<std::size_t>(Label::ground)];
-  result.obstacle = counts[static_cast<std::size_t>(Label::obstacle)];
-  result.outlier = counts[static_cast<std::size_t>(Label::outlier)];
 }
 
 TerrainView GroundGrid::Pipeline::terrain() const {
@@ -284,7 +299,10 @@ TerrainView GroundGrid::Pipeline::terrain() const {
   return view;
 }
 
-GroundGrid::GroundGrid(const Config& config) : pipeline_(std::make_unique<Pipeline>(config)) {}
+GroundGrid::GroundGrid(const Config& config)
+    : pipeline_(std::make_unique<Pipeline>(config, TileRunner(config.threads))) {}
+GroundGrid::GroundGrid(const Config& config, Executor& executor)
+    : pipeline_(std::make_unique<Pipeline>(config, TileRunner(executor))) {}
 GroundGrid::~GroundGrid() = default;
 GroundGrid::GroundGrid(GroundGrid&&) noexcept = default;
 GroundGrid& GroundGrid::operator=(GroundGrid&&) noexcept = default;

@@ -2,25 +2,35 @@
 // paper.
 #include "core/ground_surface.hpp"
 
-#include "core/interpolation.hpp"
+#include "core/surface_kernels.hpp"
 
 namespace groundgrid {
 
-GroundSurface::GroundSurface(const ElevationMap& map)
-    : fit_(map.size(), map.cell_size()), heights_(map.cells()), deviation_(map.cells()) {}
+namespace {
+
+constexpr std::size_t kOccupiedPerTile = 4096;
+constexpr std::size_t kWindowCellsPerTile = 32768;
+
+}  // namespace
+
+GroundSurface::GroundSurface(const ElevationMap& map, TileRunner& runner)
+    : runner_(&runner), fit_(map.size(), map.cell_size(), runner), deviation_(map.cells()) {}
 
 void GroundSurface::collect(const ScanGrid& grid, const GroundCells& ground_cells,
                             const ElevationMap& map, const Config& config) {
-  heights_ = map.height();
-  for (std::size_t i = 0; i < grid.occupied.size(); ++i) {
-    const GroundCell& seen = ground_cells.cells()[i];
-    if (seen.ground) heights_[grid.occupied[i]] = seen.patch_elevation;
-  }
-  const auto remembered = static_cast<float>(config.surface_min_confidence);
-  fit_.clear();
-  for (std::uint32_t cell = 0; cell < heights_.size(); ++cell)
-    if (ground_cells.is_ground()[cell] != 0 || map.confidence()[cell] >= remembered)
-      fit_.add(cell, heights_[cell]);
+  const std::span<float> heights = fit_.heights();
+  const auto take_elevations = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      heights[grid.occupied[i]] = ground_cells.cells()[i].patch_elevation;
+  };
+  runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, take_elevations);
+  const auto min_confidence = static_cast<float>(config.surface_min_confidence);
+  const auto take_known = [&](std::size_t begin, std::size_t end) {
+    const auto part = [&](auto& cells) { return std::span(cells).subspan(begin, end - begin); };
+    collect_known(part(ground_cells.is_ground()), part(map.height()), part(map.confidence()),
+                  min_confidence, part(heights));
+  };
+  runner_->parallel_for_ranges(heights.size(), kWindowCellsPerTile, take_known);
 }
 
 void GroundSurface::reject_raised(const ScanGrid& grid, const LocalPlane& ground,
@@ -28,31 +38,43 @@ void GroundSurface::reject_raised(const ScanGrid& grid, const LocalPlane& ground
                                   ElevationMap& map) {
   collect(grid, ground_cells, map, config);
   fit_.reject_raised(ground, config);
-  for (const std::uint32_t cell : fit_.told())
-    if (fit_.is_raised(cell)) map.confidence()[cell] = 0.0F;
-  for (std::size_t i = 0; i < grid.occupied.size(); ++i)
-    if (ground_cells.cells()[i].ground && fit_.is_raised(grid.occupied[i]))
-      ground_cells.withdraw(i, grid.occupied[i]);
+  for (const std::uint32_t cell : fit_.raised()) map.confidence()[cell] = 0.0F;
+  const auto withdraw = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (ground_cells.cells()[i].ground && fit_.is_raised(grid.occupied[i]))
+        ground_cells.withdraw(i, grid.occupied[i]);
+  };
+  runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, withdraw);
 }
 
 void GroundSurface::fill(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
                          const GroundCells& ground_cells, ElevationMap& map) {
   const std::vector<std::uint8_t>& is_ground = ground_cells.is_ground();
   fit_.fit(map.height(), ground);
-  const auto follow = static_cast<float>(config.surface_follow_m);
+  const auto size = static_cast<std::size_t>(map.size());
   const auto decay = static_cast<float>(config.confidence_decay);
-  for (std::uint32_t cell = 0; cell < heights_.size(); ++cell) {
-    if (is_ground[cell] != 0) continue;
-    map.confidence()[cell] = decayed_confidence(map.confidence()[cell], decay);
-    if (fit_.is_ground(cell)) continue;
-    float height = fit_.surface()[cell];
-    // The ground is nowhere above the lowest return.
-    if (grid.is_occupied[cell] != 0) {
+  fit_.for_each_row([&](std::size_t row, const SurfaceBetween& along) {
+    const std::size_t first = row * size;
+    fill_cells({is_ground.data() + first, fit_.standing().data() + first, &along,
+                map.height().data() + first, map.confidence().data() + first, size},
+               decay);
+  });
+  follow_lowest(grid, config, is_ground, map);
+}
+
+/// The ground is nowhere above the lowest return.
+void GroundSurface::follow_lowest(const ScanGrid& grid, const Config& config,
+                                  const std::vector<std::uint8_t>& is_ground, ElevationMap& map) {
+  const auto follow = static_cast<float>(config.surface_follow_m);
+  float* heights = map.height().data();
+  const auto follow_cells = [&](std::size_t begin, std::size_t end) {
+    for (const std::uint32_t cell : std::span(grid.occupied).subspan(begin, end - begin)) {
+      if (is_ground[cell] != 0 || fit_.is_ground(cell)) continue;
       const float lowest = lowest_m(grid.statistics[cell]);
-      if (lowest < height + follow) height = lowest;
+      if (lowest < heights[cell] + follow) heights[cell] = lowest;
     }
-    map.height()[cell] = height;
-  }
+  };
+  runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, follow_cells);
 }
 
 std::span<const float> GroundSurface::standard_deviation(const ScanGrid& grid,
@@ -62,6 +84,7 @@ std::span<const float> GroundSurface::standard_deviation(const ScanGrid& grid,
                                                          const ElevationMap& map) {
   if (!config.fit_surface) {
     collect(grid, ground_cells, map, config);
+    fit_.accept_all();
     fit_.fit(map.height(), ground);
   }
   fit_.standard_deviation(map.height(), config, deviation_);

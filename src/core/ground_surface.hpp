@@ -5,6 +5,7 @@
 
 #include "core/elevation_map.hpp"
 #include "core/ground_cells.hpp"
+#include "core/parallel.hpp"
 #include "core/plane_hierarchy.hpp"
 #include "core/rasterization.hpp"
 #include "core/surface_fit.hpp"
@@ -17,7 +18,8 @@ namespace groundgrid {
 /// of, and says how far off each height may be. Not in the paper; see docs/method.md.
 class GroundSurface {
  public:
-  explicit GroundSurface(const ElevationMap& map);
+  /// Its tasks run on `runner`, which outlives this object.
+  GroundSurface(const ElevationMap& map, TileRunner& runner);
 
   /// Takes the class from ground cells, and the confidence from remembered ones, that stand on the
   /// surface and are no plateau. `ground` is the plane that the vehicle stands on, its height
@@ -40,8 +42,11 @@ class GroundSurface {
   void collect(const ScanGrid& grid, const GroundCells& ground_cells, const ElevationMap& map,
                const Config& config);
 
+  void follow_lowest(const ScanGrid& grid, const Config& config,
+                     const std::vector<std::uint8_t>& is_ground, ElevationMap& map);
+
+  TileRunner* runner_;
   SurfaceFit fit_;
-  std::vector<float> heights_;    // per cell: of its ground, as the scan or the map tells it
   std::vector<float> deviation_;  // per cell
 };
 

@@ -16,11 +16,13 @@ inline float interpolated_height(float height, float confidence, float sum_confi
   return (1.0F - confidence) * (sum_weighted_height / sum_confidence) + confidence * height;
 }
 
+/// Less confidence than this is none.
+constexpr float kForgotten = 1e-30F;
+
 /// Eq. 8: the confidence of a cell in which a scan showed no ground. After some three hundred such
 /// scans it is forgotten: subnormal numbers would make a vehicle that stands still slower and
 /// slower.
 inline float decayed_confidence(float confidence, float decay) {
-  constexpr float kForgotten = 1e-30F;
   const float decayed = confidence - confidence / decay;
   return decayed < kForgotten ? 0.0F : decayed;
 }

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/point_kernels.hpp"
 #include "core/window_cells.hpp"
 
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kPointsPerTile = 4096;
+constexpr std::size_t kFilteredAtOnce = 2048;
 
 /// Walks along one axis of the grid: where the ray enters the next cell, in shares of its length.
 struct AxisWalk {
@@ -77,25 +78,24 @@ bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Poi
   return true;
 }
 
-void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Config& config,
-                     const BinnedPoints& bins, TileRunner& runner, std::span<Label> labels) {
-  const auto step = static_cast<float>(CellStatistics::kStep_m);
-  const auto min_depth = static_cast<float>(config.outlier_min_depth_m);
-  const auto filter = [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t index = pass.first + i;
-      labels[index] = Label::unknown;
-      const std::uint32_t cell = bins.cell[index];
-      if (cell == BinnedPoints::kNoCell || map.blank()) continue;
-      const float depth = map.height()[cell] - static_cast<float>(bins.z[index]) * step;
-      if (depth < min_depth) continue;
+void filter_outliers(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
+                     const Config& config, BinnedPoints& bins) {
+  if (map.blank()) return;
+  const DepthRule rule{map.height().data(), static_cast<float>(config.outlier_min_depth_m)};
+  std::uint32_t deep[kFilteredAtOnce + kSpareIndices];
+  for (std::size_t begin = range.begin; begin < range.end; begin += kFilteredAtOnce) {
+    const std::size_t count = std::min(kFilteredAtOnce, range.end - begin);
+    std::uint32_t* cells = bins.cell.data() + pass.first + begin;
+    const std::size_t found =
+        find_deep({cells, bins.z.data() + pass.first + begin, count}, rule, deep);
+    for (std::size_t k = 0; k < found; ++k) {
+      const std::size_t i = begin + deep[k];
       const PointTransform T_window_sensor = pass.trajectory.at(pass.points, i);
       const Point3f point = T_window_sensor.apply(load_point(pass.points, i));
       if (!has_line_of_sight(map, T_window_sensor.origin(), point, config))
-        labels[index] = Label::outlier;
+        cells[deep[k]] |= BinnedPoints::kOutlier;
     }
-  };
-  runner.parallel_for_ranges(pass.points.count, kPointsPerTile, filter);
+  }
 }
 
 }  // namespace groundgrid

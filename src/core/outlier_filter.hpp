@@ -1,10 +1,7 @@
 #pragma once
 
-#include <span>
-
 #include "core/elevation_map.hpp"
 #include "core/rasterization.hpp"
-#include "groundgrid/label.hpp"
 
 namespace groundgrid {
 
@@ -16,9 +13,9 @@ namespace groundgrid {
 bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
                        const Config& config);
 
-/// Marks the points of one sensor that it cannot have seen as Label::outlier (paper III-A); all
-/// others get Label::unknown. The map is the one known before this scan.
-void filter_outliers(const SensorPass& pass, const ElevationMap& map, const Config& config,
-                     const BinnedPoints& bins, TileRunner& runner, std::span<Label> labels);
+/// Marks points of one sensor that it cannot have seen with BinnedPoints::kOutlier (paper III-A).
+/// The map is the one known before this scan.
+void filter_outliers(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
+                     const Config& config, BinnedPoints& bins);
 
 }  // namespace groundgrid

@@ -4,14 +4,7 @@
 #include <cstddef>
 #include <memory>
 
-#ifdef GROUNDGRID_STD_THREAD
-#include <atomic>
-#include <thread>
-#include <vector>
-#else
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-#endif
+#include "groundgrid/executor.hpp"
 
 namespace groundgrid {
 
@@ -19,8 +12,12 @@ namespace groundgrid {
 /// write; which thread takes which tile, and how many there are, then cannot change a bit.
 class TileRunner {
  public:
-  /// `threads` of 0 means one per core.
+  /// `threads` of 0 means one per core. With one thread none is started, and oneTBB not called.
   explicit TileRunner(int threads);
+
+  /// Runs on the threads of an executor that outlives this object. Throws std::invalid_argument
+  /// where its concurrency is less than 1.
+  explicit TileRunner(Executor& executor);
 
   [[nodiscard]] int threads() const { return threads_; }
 
@@ -31,7 +28,7 @@ class TileRunner {
       for (std::size_t tile = 0; tile < tiles; ++tile) task(tile);
       return;
     }
-    run(tiles, task);
+    executor_->run(tiles, TileTask(task));
   }
 
   /// Calls task(begin, end) for pieces of [0, count) of at most `per_tile` indices.
@@ -43,32 +40,9 @@ class TileRunner {
   }
 
  private:
-#ifdef GROUNDGRID_STD_THREAD
-  // A stock libtbb is not built for ThreadSanitizer, which then reports races that are none; the
-  // tsan build runs the same tiles on threads that it can follow.
-  template <typename Task>
-  void run(std::size_t tiles, const Task& task) {
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-      for (std::size_t tile = next++; tile < tiles; tile = next++) task(tile);
-    };
-    std::vector<std::thread> helpers;
-    for (int i = 1; i < threads_; ++i) helpers.emplace_back(work);
-    work();
-    for (std::thread& helper : helpers) helper.join();
-  }
-#else
-  template <typename Task>
-  void run(std::size_t tiles, const Task& task) {
-    arena_->execute([&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, tiles, task, oneapi::tbb::simple_partitioner{});
-    });
-  }
-
-  std::unique_ptr<oneapi::tbb::task_arena> arena_;
-#endif
-
-  int threads_ = 1;
+  int threads_;
+  std::unique_ptr<Executor> own_;
+  Executor* executor_ = nullptr;
 };
 
 }  // namespace groundgrid

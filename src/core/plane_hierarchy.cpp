@@ -2,7 +2,6 @@
 #include "core/plane_hierarchy.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace groundgrid {
@@ -23,16 +22,15 @@ constexpr double kNoisePerMetre = 0.03;
 // The cells of a block err together: all of them say no more than this many.
 constexpr double kIndependentCells = 8.0;
 
+// More tasks than this bring nothing.
+constexpr int kMostBands = 8;
+
 double square(double value) { return value * value; }
 
-LocalPlane moved(const LocalPlane& plane, double x, double y) {
-  return {plane.height + plane.slope_x * x + plane.slope_y * y, plane.slope_x, plane.slope_y};
-}
-
-void add(LocalPlane& sum, double share, const LocalPlane& plane) {
-  sum.height += share * plane.height;
-  sum.slope_x += share * plane.slope_x;
-  sum.slope_y += share * plane.slope_y;
+BlockScatter scatter_of(double side) {
+  return {static_cast<float>(square(kRoughness * side)), static_cast<float>(square(kBend)),
+          static_cast<float>(square(kNoise_m) + square(kNoisePerMetre * side)),
+          static_cast<float>(kIndependentCells)};
 }
 
 /// How many blocks, each of `parts` parts a side, cover `count` parts around the middle one.
@@ -41,41 +39,80 @@ int blocks_around(int count, int parts) { return 2 * ((count / 2 + parts / 2) / 
 /// Place of a part in its block: -1, 0 or 1 parts from the middle.
 int place_of(int part) { return part % kBranch - kBranch / 2; }
 
-/// One of the blocks that a block is expected to be like, and how far away its middle is.
-struct Like {
-  int block = 0;
-  double share = 0.0;
-  double away = 0.0;  ///< Sides of the block below.
-};
-
-/// Linear between the middles of the two nearest blocks above, along one axis.
-std::array<Like, 2> likes(int part, int blocks) {
+/// Linear between the middles of the two nearest blocks above, along one axis. `side` is that of
+/// the part, metres.
+BlockShare share_of(int part, int blocks, double side) {
   const int own = part / kBranch;
   const int place = place_of(part);
   const int other = std::clamp(own + place, 0, blocks - 1);
-  const double share = std::abs(place) / static_cast<double>(kBranch);
-  return {{{own, 1.0 - share, static_cast<double>(place)},
-           {other, share, static_cast<double>(place - kBranch * (other - own))}}};
+  return {own, other, static_cast<float>(1.0 - std::abs(place) / static_cast<double>(kBranch)),
+          static_cast<float>(place * side),
+          static_cast<float>((place - kBranch * (other - own)) * side)};
 }
 
 }  // namespace
 
-PlaneHierarchy::PlaneHierarchy(int size, double cell_size_m)
-    : size_(size), cell_size_(cell_size_m), between_(static_cast<std::size_t>(size)) {
+PlaneHierarchy::PlaneHierarchy(int size, double cell_size_m, int threads)
+    : size_(size), cell_size_(cell_size_m) {
   int below = size;
   int parts = kFinestBlock;
-  double side = cell_size_m;
+  int cells = 1;
+  int cells_before = 0;
   do {
-    const int blocks = blocks_around(below, parts);
-    const auto count = static_cast<std::size_t>(blocks) * static_cast<std::size_t>(blocks);
-    side *= parts;
-    levels_.push_back({blocks, (blocks * parts - below) / 2, side, std::vector<Sums>(count),
-                       std::vector<BlockPlane>(count)});
-    below = blocks;
+    Level& level = levels_.emplace_back();
+    level.blocks = blocks_around(below, parts);
+    level.before = (level.blocks * parts - below) / 2;
+    cells_before += level.before * cells;
+    cells *= parts;
+    level.cells = cells;
+    level.cells_before = cells_before;
+    level.side = cells * cell_size_m;
+    level.sums.resize(level.row(level.blocks));
+    level.planes.resize(level.row(level.blocks));
+    place_cells(level);
+    below = level.blocks;
     parts = kBranch;
   } while (below > 1);
-  row_height_.resize(static_cast<std::size_t>(levels_.front().blocks));
-  row_slope_.resize(static_cast<std::size_t>(levels_.front().blocks));
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    const Level& above = levels_[l + 1];
+    for (int block = 0; block < level.blocks; ++block)
+      level.shares.push_back(share_of(block + above.before, above.blocks, level.side));
+  }
+  const auto cells_a_side = static_cast<std::size_t>(size);
+  workspaces_.resize(static_cast<std::size_t>(std::clamp(threads, 1, kMostBands)));
+  for (Workspace& work : workspaces_) {
+    work.column_sums.resize(cells_a_side);
+    work.row_weights.resize(CellRows::kMost * cells_a_side);
+    for (SurfaceRow* row : {&work.cursor.lower_.surface, &work.cursor.upper_.surface}) {
+      row->height.resize(cells_a_side + kRowSpare);
+      row->slope_y.resize(cells_a_side + kRowSpare);
+    }
+  }
+}
+
+/// Where each column (and row, the same) lies between the blocks of a level.
+void PlaneHierarchy::place_cells(Level& level) const {
+  const int middle = size_ / 2;
+  const int middle_block = level.blocks / 2;
+  for (int i = 0; i < size_; ++i) {
+    const double in_blocks = (i - middle) * cell_size_ / level.side + middle_block;
+    const int floor = static_cast<int>(std::floor(in_blocks));
+    const int before = std::clamp(floor, 0, level.blocks - 1);
+    const int after = std::clamp(floor + 1, 0, level.blocks - 1);
+    CellPlaces& places = level.places;
+    if (i == 0 || places.runs.back().before != before || places.runs.back().after != after)
+      places.runs.push_back({i, i, before, after});
+    places.runs.back().end = i + 1;
+    places.before.push_back(before);
+    places.after.push_back(after);
+    places.share_after.push_back(static_cast<float>(in_blocks - floor));
+    places.from_before.push_back(static_cast<float>((in_blocks - before) * level.side));
+    places.from_after.push_back(static_cast<float>((in_blocks - after) * level.side));
+  }
+  for (std::vector<float>* numbers :
+       {&level.places.share_after, &level.places.from_before, &level.places.from_after})
+    numbers->resize(numbers->size() + kRowSpare);
 }
 
 std::size_t PlaneHierarchy::level_of(double block_m) const {
@@ -84,214 +121,129 @@ std::size_t PlaneHierarchy::level_of(double block_m) const {
   return level;
 }
 
-void PlaneHierarchy::sum_finest(std::span<const float> weights, std::span<const float> heights) {
-  Level& level = levels_.front();
-  std::fill(level.sums.begin(), level.sums.end(), Sums{});
-  std::array<float, kFinestBlock> offset{};
-  for (int i = 0; i < kFinestBlock; ++i)
-    offset[static_cast<std::size_t>(i)] =
-        (static_cast<float>(i) + 0.5F - 0.5F * static_cast<float>(kFinestBlock)) *
-        static_cast<float>(cell_size_);
+PlaneHierarchy::BlockRows PlaneHierarchy::rows_of(const Level& level, int block_row) const {
+  const int first = block_row * level.cells - level.cells_before;
+  return {std::max(first, 0), std::min(first + level.cells, size_),
+          static_cast<float>(first + 0.5 * (level.cells - 1)), static_cast<float>(cell_size_)};
+}
 
-  for (int row = 0; row < size_; ++row) {
-    const int block_row = (row + level.before) / kFinestBlock;
-    const auto y =
-        static_cast<double>(offset[static_cast<std::size_t>((row + level.before) % kFinestBlock)]);
-    const float* weight = weights.data() + static_cast<std::ptrdiff_t>(row) * size_;
-    const float* height = heights.data() + static_cast<std::ptrdiff_t>(row) * size_;
-    for (int block = 0; block < level.blocks; ++block) {
-      const int first = block * kFinestBlock - level.before;
-      float w = 0.0F;
-      float x = 0.0F;
-      float xx = 0.0F;
-      float z = 0.0F;
-      float xz = 0.0F;
-      for (int i = std::max(-first, 0); i < std::min(kFinestBlock, size_ - first); ++i) {
-        const float own = weight[first + i];
-        if (own == 0.0F) continue;
-        const float own_x = own * offset[static_cast<std::size_t>(i)];
-        w += own;
-        x += own_x;
-        xx += own_x * offset[static_cast<std::size_t>(i)];
-        z += own * height[first + i];
-        xz += own_x * height[first + i];
-      }
-      if (w == 0.0F) continue;
-      Sums& sums = level.sums[level.index(block, block_row)];
-      sums.w += static_cast<double>(w);
-      sums.x += static_cast<double>(x);
-      sums.y += static_cast<double>(w) * y;
-      sums.xx += static_cast<double>(xx);
-      sums.xy += static_cast<double>(x) * y;
-      sums.yy += static_cast<double>(w) * y * y;
-      sums.z += static_cast<double>(z);
-      sums.xz += static_cast<double>(xz);
-      sums.yz += static_cast<double>(z) * y;
-    }
-  }
+void PlaneHierarchy::sum_row_of_blocks(Level& level, int block_row,
+                                       const ColumnSums& columns) const {
+  sum_columns(columns, level.cells, level.cells_before, static_cast<float>(cell_size_), level.sums,
+              level.row(block_row), static_cast<std::size_t>(level.blocks));
 }
 
 /// The sums of a level from those of the level below, moved to the middles of its blocks.
 void PlaneHierarchy::sum_up(const Level& below, Level& level) {
-  std::fill(level.sums.begin(), level.sums.end(), Sums{});
+  level.sums.clear();
+  BlockSums& sums = level.sums;
+  const BlockSums& parts = below.sums;
   for (int row = 0; row < below.blocks; ++row) {
     const int in_y = row + level.before;
-    const double y = place_of(in_y) * below.side;
+    const auto y = static_cast<float>(place_of(in_y) * below.side);
     for (int column = 0; column < below.blocks; ++column) {
-      const Sums& part = below.sums[below.index(column, row)];
-      if (part.w == 0.0) continue;
+      const std::size_t part = below.row(row) + static_cast<std::size_t>(column);
+      if (parts.w[part] == 0.0F) continue;
       const int in_x = column + level.before;
-      const double x = place_of(in_x) * below.side;
-      Sums& sums = level.sums[level.index(in_x / kBranch, in_y / kBranch)];
-      sums.w += part.w;
-      sums.x += part.x + x * part.w;
-      sums.y += part.y + y * part.w;
-      sums.xx += part.xx + 2.0 * x * part.x + x * x * part.w;
-      sums.xy += part.xy + x * part.y + y * part.x + x * y * part.w;
-      sums.yy += part.yy + 2.0 * y * part.y + y * y * part.w;
-      sums.z += part.z;
-      sums.xz += part.xz + x * part.z;
-      sums.yz += part.yz + y * part.z;
+      const auto x = static_cast<float>(place_of(in_x) * below.side);
+      const std::size_t block =
+          level.row(in_y / kBranch) + static_cast<std::size_t>(in_x / kBranch);
+      sums.w[block] += parts.w[part];
+      sums.x[block] += parts.x[part] + x * parts.w[part];
+      sums.y[block] += parts.y[part] + y * parts.w[part];
+      sums.xx[block] += parts.xx[part] + 2.0F * x * parts.x[part] + x * x * parts.w[part];
+      sums.xy[block] +=
+          parts.xy[part] + x * parts.y[part] + y * parts.x[part] + x * y * parts.w[part];
+      sums.yy[block] += parts.yy[part] + 2.0F * y * parts.y[part] + y * y * parts.w[part];
+      sums.z[block] += parts.z[part];
+      sums.xz[block] += parts.xz[part] + x * parts.z[part];
+      sums.yz[block] += parts.yz[part] + y * parts.z[part];
     }
   }
 }
 
-/// What the planes above say of a block: bilinear between those of the nearest blocks.
-PlaneHierarchy::BlockPlane PlaneHierarchy::expected(const Level& above, double side, int column,
-                                                    int row) {
-  BlockPlane sum;
-  for (const Like& y : likes(row + above.before, above.blocks)) {
-    for (const Like& x : likes(column + above.before, above.blocks)) {
-      const double share = x.share * y.share;
-      if (share == 0.0) continue;
-      const BlockPlane& from = above.planes[above.index(x.block, y.block)];
-      const double east = x.away * side;
-      const double north = y.away * side;
-      add(sum.plane, share, moved(from.plane, east, north));
-      add(sum.variance, share, moved(from.variance, east * east, north * north));
+/// The plane of the one block of the highest level.
+void PlaneHierarchy::fit_top(const LocalPlane& top) {
+  Level& level = levels_.back();
+  BlockPlanes& planes = level.planes;
+  planes.height[0] = static_cast<float>(top.height);
+  planes.slope_x[0] = static_cast<float>(top.slope_x);
+  planes.slope_y[0] = static_cast<float>(top.slope_y);
+  planes.variance_height[0] = static_cast<float>(square(kTopHeight_m));
+  planes.variance_x[0] = planes.variance_y[0] = static_cast<float>(square(kTopSlope));
+  correct_row(level.sums, scatter_of(level.side), planes, 0, 1);
+}
+
+void PlaneHierarchy::fit_level(const Level& above, Level& level, TileRunner& runner) {
+  const BlockScatter scatter = scatter_of(level.side);
+  for_each_band(level.blocks, kLeastRows, runner, [&](Workspace& work, int begin, int end) {
+    work.row_planes.resize(static_cast<std::size_t>(above.blocks));
+    for (int row = begin; row < end; ++row) {
+      const BlockShare& y = level.shares[static_cast<std::size_t>(row)];
+      blend_rows(above.planes, above.row(y.own), above.row(y.other), y, work.row_planes);
+      expect_row(work.row_planes, level.shares, scatter, level.planes, level.row(row));
+      correct_row(level.sums, scatter, level.planes, level.row(row),
+                  static_cast<std::size_t>(level.blocks));
     }
-  }
-  sum.variance.height += square(kRoughness * side);
-  sum.variance.slope_x += square(kBend);
-  sum.variance.slope_y += square(kBend);
-  return sum;
+  });
 }
 
-/// The most likely plane after a look at the block's own cells, by Cramer's rule.
-PlaneHierarchy::BlockPlane PlaneHierarchy::corrected(const BlockPlane& expected, const Sums& sums,
-                                                     double side) {
-  if (sums.w == 0.0) return expected;
-  const double noise = square(kNoise_m) + square(kNoisePerMetre * side);
-  const double f = std::min(1.0, kIndependentCells / sums.w) / noise;
-  const LocalPlane& plane = expected.plane;
-  // Normal equations of the correction: a symmetric matrix, its right side, its cofactors.
-  const double a00 = f * sums.w + 1.0 / expected.variance.height;
-  const double a01 = f * sums.x;
-  const double a02 = f * sums.y;
-  const double a11 = f * sums.xx + 1.0 / expected.variance.slope_x;
-  const double a12 = f * sums.xy;
-  const double a22 = f * sums.yy + 1.0 / expected.variance.slope_y;
-  const double b0 =
-      f * (sums.z - plane.height * sums.w - plane.slope_x * sums.x - plane.slope_y * sums.y);
-  const double b1 =
-      f * (sums.xz - plane.height * sums.x - plane.slope_x * sums.xx - plane.slope_y * sums.xy);
-  const double b2 =
-      f * (sums.yz - plane.height * sums.y - plane.slope_x * sums.xy - plane.slope_y * sums.yy);
-  const double c00 = a11 * a22 - a12 * a12;
-  const double c01 = a02 * a12 - a01 * a22;
-  const double c02 = a01 * a12 - a02 * a11;
-  const double c11 = a00 * a22 - a02 * a02;
-  const double c12 = a01 * a02 - a00 * a12;
-  const double c22 = a00 * a11 - a01 * a01;
-  const double determinant = a00 * c00 + a01 * c01 + a02 * c02;
-  return {{plane.height + (c00 * b0 + c01 * b1 + c02 * b2) / determinant,
-           plane.slope_x + (c01 * b0 + c11 * b1 + c12 * b2) / determinant,
-           plane.slope_y + (c02 * b0 + c12 * b1 + c22 * b2) / determinant},
-          {c00 / determinant, c11 / determinant, c22 / determinant}};
+void PlaneHierarchy::fit_planes(const LocalPlane& top, std::size_t finest, TileRunner& runner) {
+  const std::size_t summed = std::min(finest, kHighestSummed);
+  for (std::size_t l = summed + 1; l < levels_.size(); ++l) sum_up(levels_[l - 1], levels_[l]);
+  fit_top(top);
+  for (std::size_t l = levels_.size() - 1; l-- > finest;)
+    fit_level(levels_[l + 1], levels_[l], runner);
+  ++fits_;
 }
 
-void PlaneHierarchy::fit(std::span<const float> weights, std::span<const float> heights,
-                         const LocalPlane& top, std::size_t finest) {
-  sum_finest(weights, heights);
-  for (std::size_t l = 1; l < levels_.size(); ++l) sum_up(levels_[l - 1], levels_[l]);
-  const BlockPlane highest{top, {square(kTopHeight_m), square(kTopSlope), square(kTopSlope)}};
-  for (std::size_t l = levels_.size(); l-- > finest;) {
-    Level& level = levels_[l];
-    for (int row = 0; row < level.blocks; ++row) {
-      for (int column = 0; column < level.blocks; ++column) {
-        const std::size_t block = level.index(column, row);
-        const BlockPlane before =
-            l + 1 == levels_.size() ? highest : expected(levels_[l + 1], level.side, column, row);
-        level.planes[block] = corrected(before, level.sums[block], level.side);
-      }
-    }
-  }
-}
-
-/// Where each column (and row, the same) lies between the blocks of a level.
-void PlaneHierarchy::place_cells(const Level& level) {
-  const int middle = size_ / 2;
-  const int middle_block = level.blocks / 2;
-  for (int i = 0; i < size_; ++i) {
-    const double in_blocks = (i - middle) * cell_size_ / level.side + middle_block;
-    const int floor = static_cast<int>(std::floor(in_blocks));
-    const int before = std::clamp(floor, 0, level.blocks - 1);
-    const int after = std::clamp(floor + 1, 0, level.blocks - 1);
-    between_[static_cast<std::size_t>(i)] = {static_cast<std::size_t>(before),
-                                             static_cast<std::size_t>(after),
-                                             static_cast<float>(in_blocks - floor),
-                                             static_cast<float>((in_blocks - before) * level.side),
-                                             static_cast<float>((in_blocks - after) * level.side)};
-  }
-}
-
-void PlaneHierarchy::evaluate(std::size_t l, std::span<float> surface) {
+SurfaceBetween PlaneHierarchy::surface_along(std::size_t l, std::size_t row,
+                                             RowCursor& cursor) const {
+  if (cursor.fit_ != fits_ || cursor.level_ != l)
+    cursor.lower_.block_row = cursor.upper_.block_row = -1;
+  cursor.fit_ = fits_;
+  cursor.level_ = l;
   const Level& level = levels_[l];
-  place_cells(level);
-  const auto blocks = static_cast<std::size_t>(level.blocks);
-  const auto columns = static_cast<std::size_t>(size_);
-  for (std::size_t row = 0; row < columns; ++row) {
-    const Between& y = between_[row];
-    const BlockPlane* before = level.planes.data() + y.before * blocks;
-    const BlockPlane* after = level.planes.data() + y.after * blocks;
-    const auto share = static_cast<double>(y.share_after);
-    for (std::size_t b = 0; b < blocks; ++b) {
-      const LocalPlane lower = moved(before[b].plane, 0.0, static_cast<double>(y.from_before));
-      const LocalPlane upper = moved(after[b].plane, 0.0, static_cast<double>(y.from_after));
-      row_height_[b] = static_cast<float>(lower.height + share * (upper.height - lower.height));
-      row_slope_[b] = static_cast<float>(lower.slope_x + share * (upper.slope_x - lower.slope_x));
-    }
-    float* out = surface.data() + row * columns;
-    for (std::size_t column = 0; column < columns; ++column) {
-      const Between& x = between_[column];
-      const float left = row_height_[x.before] + row_slope_[x.before] * x.from_before;
-      const float right = row_height_[x.after] + row_slope_[x.after] * x.from_after;
-      out[column] = left + x.share_after * (right - left);
-    }
-  }
-}
-
-void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) {
-  const Level& level = levels_[l];
-  place_cells(level);
-  const auto columns = static_cast<std::size_t>(size_);
-  const auto at = [&level](std::size_t column, std::size_t row, float x, float y) {
-    const LocalPlane& own =
-        level.planes[row * static_cast<std::size_t>(level.blocks) + column].variance;
-    return static_cast<float>(
-        moved(own, square(static_cast<double>(x)), square(static_cast<double>(y))).height);
+  const CellPlaces& y = level.places;
+  const auto keep = [&](int block_row, RowCursor::KeptRow& kept) {
+    if (kept.block_row == block_row) return;
+    kept.block_row = block_row;
+    evaluate_along(level.planes, level.row(block_row), level.places, kept.surface);
   };
-  for (std::size_t row = 0; row < columns; ++row) {
-    const Between& y = between_[row];
-    for (std::size_t column = 0; column < columns; ++column) {
-      const Between& x = between_[column];
-      const auto along_x = [&](std::size_t block_row, float from) {
-        const float left = at(x.before, block_row, x.from_before, from);
-        return left + x.share_after * (at(x.after, block_row, x.from_after, from) - left);
+  if (cursor.upper_.block_row == y.before[row]) std::swap(cursor.lower_, cursor.upper_);
+  keep(y.before[row], cursor.lower_);
+  keep(y.after[row], cursor.upper_);
+  return {&cursor.lower_.surface, &cursor.upper_.surface, y.from_before[row], y.from_after[row],
+          y.share_after[row]};
+}
+
+void PlaneHierarchy::evaluate(std::size_t level, TileRunner& runner, std::span<float> surface) {
+  const auto size = static_cast<std::size_t>(size_);
+  for_each_row(level, runner, [&](std::size_t row, const SurfaceBetween& along) {
+    evaluate_between(along, size, surface.data() + row * size);
+  });
+}
+
+void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) const {
+  const Level& level = levels_[l];
+  const BlockPlanes& planes = level.planes;
+  const CellPlaces& places = level.places;
+  const auto at = [&](std::int32_t column, std::int32_t row, float x, float y) {
+    const std::size_t block = level.row(row) + static_cast<std::size_t>(column);
+    return planes.variance_height[block] + planes.variance_x[block] * x * x +
+           planes.variance_y[block] * y * y;
+  };
+  const auto size = static_cast<std::size_t>(size_);
+  for (std::size_t row = 0; row < size; ++row) {
+    for (std::size_t column = 0; column < size; ++column) {
+      const auto along_x = [&](std::int32_t block_row, float from) {
+        const float left = at(places.before[column], block_row, places.from_before[column], from);
+        const float right = at(places.after[column], block_row, places.from_after[column], from);
+        return left + places.share_after[column] * (right - left);
       };
-      const float lower = along_x(y.before, y.from_before);
-      variance[row * columns + column] =
-          lower + y.share_after * (along_x(y.after, y.from_after) - lower);
+      const float lower = along_x(places.before[row], places.from_before[row]);
+      const float upper = along_x(places.after[row], places.from_after[row]);
+      variance[row * size + column] = lower + places.share_after[row] * (upper - lower);
     }
   }
 }

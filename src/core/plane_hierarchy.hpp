@@ -1,8 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
+
+#include "core/parallel.hpp"
+#include "core/plane_kernels.hpp"
 
 namespace groundgrid {
 
@@ -23,66 +28,149 @@ struct LocalPlane {
 /// everywhere, near to the heights where there are any and as smooth as they allow elsewhere.
 class PlaneHierarchy {
  public:
-  /// For `size` × `size` cells, an odd number.
-  PlaneHierarchy(int size, double cell_size_m);
+  /// The surface along the two rows of blocks beside a row of cells, kept from one row to the next.
+  /// Each task that reads the surface has one of its own.
+  class RowCursor {
+    friend class PlaneHierarchy;
+    struct KeptRow {
+      int block_row = -1;
+      SurfaceRow surface{};
+    };
+    std::size_t fit_ = 0;  // the number of the fit that the rows are of
+    std::size_t level_ = 0;
+    KeptRow lower_{};
+    KeptRow upper_{};
+  };
+
+  /// For `size` × `size` cells, an odd number, and tasks of at most so many threads.
+  PlaneHierarchy(int size, double cell_size_m, int threads);
 
   /// The finest level whose blocks are at least this wide; 0 is 5 × 5 cells.
   [[nodiscard]] std::size_t level_of(double block_m) const;
 
-  /// Fits the planes of all levels down to `finest` to heights of cells (row by row, metres) with
-  /// weights of 0 to 1, cells of weight 0 apart. `top` is the plane expected at the middle.
-  void fit(std::span<const float> weights, std::span<const float> heights, const LocalPlane& top,
-           std::size_t finest);
+  /// Fits the planes of all levels down to `finest` to heights of cells (row by row, metres, finite
+  /// even where the weight is 0). weigh(row, cursor, weights) writes the weights of a row of cells,
+  /// 0 to 1; with the cursor surface_along() tells it of the planes of the fit before. `top` is the
+  /// plane expected at the middle.
+  template <typename Weigh>
+  void fit(std::span<const float> heights, const Weigh& weigh, const LocalPlane& top,
+           std::size_t finest, TileRunner& runner) {
+    Level& level = levels_[std::min(finest, kHighestSummed)];
+    const int least_rows = std::max(kLeastCellRows / level.cells, 1);
+    for_each_band(level.blocks, least_rows, runner, [&](Workspace& work, int begin, int end) {
+      for (int block_row = begin; block_row < end; ++block_row) {
+        work.column_sums.clear();
+        add_block_row(heights, weigh, rows_of(level, block_row), work);
+        sum_row_of_blocks(level, block_row, work.column_sums);
+      }
+    });
+    fit_planes(top, finest, runner);
+  }
 
-  /// The surface at the middle of each cell, bilinear between the planes of a level.
-  void evaluate(std::size_t level, std::span<float> surface);
+  /// The surface along the middles of a row of cells, bilinear between the planes of a level. Valid
+  /// until the next call with this cursor; rows one after the other cost least.
+  [[nodiscard]] SurfaceBetween surface_along(std::size_t level, std::size_t row,
+                                             RowCursor& cursor) const;
+
+  /// Calls visit(row, surface along it) for every row of cells, some rows on each thread.
+  template <typename Visit>
+  void for_each_row(std::size_t level, TileRunner& runner, const Visit& visit) {
+    for_each_band(size_, kLeastCellRows, runner, [&](Workspace& work, int begin, int end) {
+      for (auto row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row)
+        visit(row, surface_along(level, row, work.cursor));
+    });
+  }
+
+  /// The surface at the middle of every cell.
+  void evaluate(std::size_t level, TileRunner& runner, std::span<float> surface);
 
   /// The variance of that height at each cell, m²: bilinear between those of the planes.
-  void evaluate_variance(std::size_t level, std::span<float> variance);
+  void evaluate_variance(std::size_t level, std::span<float> variance) const;
 
  private:
-  /// Weighted sums over the cells of a block; x and y from its middle, metres.
-  struct Sums {
-    double w = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, z = 0.0, xz = 0.0, yz = 0.0;
-  };
-  /// A block's plane from its middle, and the variances of its three numbers.
-  struct BlockPlane {
-    LocalPlane plane{};
-    LocalPlane variance{};
-  };
   struct Level {
-    int blocks = 0;     ///< A side, an odd number.
-    int before = 0;     ///< Blocks (or cells) of the level below by which the first begins early.
-    double side = 0.0;  ///< Of a block, metres.
-    std::vector<Sums> sums{};
-    std::vector<BlockPlane> planes{};
+    int blocks = 0;  ///< A side, an odd number.
+    int before = 0;  ///< Blocks (or cells) of the level below by which the first begins early.
+    int cells = 0;   ///< Of a block, a side.
+    int cells_before = 0;  ///< Cells by which the first block begins before the square.
+    double side = 0.0;     ///< Of a block, metres.
+    BlockSums sums{};
+    BlockPlanes planes{};
+    std::vector<BlockShare> shares{};  ///< Per block of a row: in the level above.
+    CellPlaces places{};               ///< Of the square's columns (and rows, the same).
 
-    [[nodiscard]] std::size_t index(int column, int row) const {
-      return static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks) +
-             static_cast<std::size_t>(column);
+    [[nodiscard]] std::size_t row(int block_row) const {
+      return static_cast<std::size_t>(block_row) * static_cast<std::size_t>(blocks);
     }
   };
-  /// A cell's middle between the middles of two blocks, along one axis.
-  struct Between {
-    std::size_t before = 0;
-    std::size_t after = 0;
-    float share_after = 0.0F;
-    float from_before = 0.0F;  ///< Metres from the middle of the one before.
-    float from_after = 0.0F;
-  };
+  /// The rows of cells of a row of blocks.
+  struct BlockRows {
+    int begin = 0;
+    int end = 0;
+    float middle = 0.0F;  ///< Of the blocks, rows.
+    float cell_size = 0.0F;
 
-  void sum_finest(std::span<const float> weights, std::span<const float> heights);
+    [[nodiscard]] float y_of(int row) const {
+      return (static_cast<float>(row) - middle) * cell_size;
+    }
+  };
+  /// What a task needs for itself.
+  struct Workspace {
+    ColumnSums column_sums{};
+    std::vector<float> row_weights{};  // of CellRows::kMost rows
+    BlockPlanes row_planes{};          // of a row of a level above, at the y of a row below
+    RowCursor cursor{};
+  };
+  // Beyond some cells a side single precision would lose digits in the sums over columns: higher
+  // levels are summed from the level below.
+  static constexpr std::size_t kHighestSummed = 1;
+  // Fewer rows of blocks, or of cells, than this are not worth another task.
+  static constexpr int kLeastRows = 16;
+  static constexpr int kLeastCellRows = 64;
+
+  /// Calls task(workspace, begin, end) for bands of rows. No row depends on how they are cut.
+  template <typename Task>
+  void for_each_band(int rows, int least_rows, TileRunner& runner, const Task& task) {
+    const int most = std::min(runner.threads(), static_cast<int>(workspaces_.size()));
+    const int bands = std::clamp(rows / least_rows, 1, most);
+    runner.parallel_for_tiles(static_cast<std::size_t>(bands), [&](std::size_t band) {
+      const auto begin = [&](std::size_t b) { return rows * static_cast<int>(b) / bands; };
+      task(workspaces_[band], begin(band), begin(band + 1));
+    });
+  }
+
+  /// Adds the cells of a row of blocks to the sums over its columns.
+  template <typename Weigh>
+  void add_block_row(std::span<const float> heights, const Weigh& weigh, const BlockRows& in_block,
+                     Workspace& work) const {
+    const auto size = static_cast<std::size_t>(size_);
+    CellRows rows;
+    for (int row = in_block.begin; row < in_block.end; ++row) {
+      const auto cell_row = static_cast<std::size_t>(row);
+      float* weights = work.row_weights.data() + rows.count * size;
+      weigh(cell_row, work.cursor, weights);
+      rows.weights[rows.count] = weights;
+      rows.heights[rows.count] = heights.data() + cell_row * size;
+      rows.y[rows.count] = in_block.y_of(row);
+      if (++rows.count < CellRows::kMost && row + 1 < in_block.end) continue;
+      add_rows(rows, size, work.column_sums);
+      rows.count = 0;
+    }
+  }
+
+  void place_cells(Level& level) const;
+  [[nodiscard]] BlockRows rows_of(const Level& level, int block_row) const;
+  void sum_row_of_blocks(Level& level, int block_row, const ColumnSums& columns) const;
   static void sum_up(const Level& below, Level& level);
-  static BlockPlane expected(const Level& above, double side, int column, int row);
-  static BlockPlane corrected(const BlockPlane& expected, const Sums& sums, double side);
-  void place_cells(const Level& level);
+  void fit_planes(const LocalPlane& top, std::size_t finest, TileRunner& runner);
+  void fit_top(const LocalPlane& top);
+  void fit_level(const Level& above, Level& level, TileRunner& runner);
 
   int size_;
   double cell_size_;
+  std::size_t fits_ = 0;       // how many there were
   std::vector<Level> levels_;  // finest first
-  std::vector<Between> between_;
-  std::vector<float> row_height_;
-  std::vector<float> row_slope_;
+  std::vector<Workspace> workspaces_;
 };
 
 }  // namespace groundgrid

@@ -2,49 +2,94 @@
 #include "core/rasterization.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <limits>
+#include <span>
 
-#include "core/exclusion.hpp"
-#include "core/window_cells.hpp"
+#include "core/marked_cells.hpp"
+#include "core/point_kernels.hpp"
 
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kBinnedPerTile = 8192;
-constexpr float kStepsPerMetre = 1e4F;
 // Points further above or below the z origin are outside the map: the squares of the heights of
 // four million points up to 2^21 steps (209.7 m) fit into 64 bits.
 constexpr float kHeightLimit_m = 209.0F;
 
-std::uint32_t cell_of(const WindowCells& cells, const Point3f& p) {
-  if (!cells.contains(p) || !(std::abs(p.z) < kHeightLimit_m)) return BinnedPoints::kNoCell;
-  return static_cast<std::uint32_t>(cells.index_of(p.y) * cells.size + cells.index_of(p.x));
+/// Records of floats only that begin with x, y, z, as most do; none in any other layout.
+PackedRecords packed_records(const PointView& view, const PointRange& range) {
+  const bool packed = view.x_offset == 0 && view.y_offset == 4 && view.z_offset == 8 &&
+                      (view.stride_bytes == 12 || view.stride_bytes == 16);
+  const std::byte* first = view.data + range.begin * view.stride_bytes;
+  if (!packed || reinterpret_cast<std::uintptr_t>(first) % alignof(float) != 0) return {};
+  const std::size_t count = range.end - range.begin;
+  return {reinterpret_cast<const float*>(first), view.stride_bytes / sizeof(float),
+          count - count % kRecordsTogether};
 }
 
-template <typename TransformOf>
-void bin_range(const SensorPass& pass, std::size_t begin, std::size_t end,
-               const Exclusion& exclusion, const WindowCells& cells, BinnedPoints& bins,
-               const TransformOf& transform_of) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const Point3f p = load_point(pass.points, i);
-    const Point3f q = transform_of(i).apply(p);
-    std::uint32_t cell = cell_of(cells, q);
-    if (exclusion.takes(p, pass.T_base_sensor)) cell = BinnedPoints::kNoCell;
-    bins.cell[pass.first + i] = cell;
-    bins.z[pass.first + i] = cell == BinnedPoints::kNoCell
-                                 ? 0
-                                 : static_cast<std::int32_t>(std::lrint(q.z * kStepsPerMetre));
+/// Points [first, first + count) in their sensor's frame; those that are never taken are NaN.
+void load_block(const SensorPass& pass, const Exclusion& exclusion, std::size_t first,
+                std::size_t count, PointBlock& points) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < count; ++i) {
+    Point3f point = load_point(pass.points, first + i);
+    if (exclusion.has_box && exclusion.is_in_box(point, pass.T_base_sensor)) point.x = kNan;
+    points.x[i] = point.x;
+    points.y[i] = point.y;
+    points.z[i] = point.z;
   }
 }
 
-void add_point(CellStatistics& cell, std::int32_t z) {
-  const std::int64_t height = z;
-  cell.min = cell.count == 0 ? z : std::min(cell.min, z);
-  cell.max = cell.count == 0 ? z : std::max(cell.max, z);
-  cell.sum += height;
-  cell.sum_squares += static_cast<std::uint64_t>(height * height);
-  ++cell.count;
+/// The same, moved to the window frame from where the sensor was at their times.
+void load_moving(const SensorPass& pass, const Exclusion& exclusion, std::size_t first,
+                 std::size_t count, PointBlock& points) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point3f point = load_point(pass.points, first + i);
+    const Point3f moved = exclusion.takes(point, pass.T_base_sensor)
+                              ? Point3f{kNan, kNan, kNan}
+                              : pass.trajectory.at(pass.points, first + i).apply(point);
+    points.x[i] = moved.x;
+    points.y[i] = moved.y;
+    points.z[i] = moved.z;
+  }
+}
+
+}  // namespace
+
+void bin_points(const SensorPass& pass, const PointRange& range, const WindowCells& window,
+                const Exclusion& exclusion, BinnedPoints& bins) {
+  const bool moving = pass.trajectory.moving();
+  BinRule rule{window.extent, window.inverse_cell_size, window.size, kHeightLimit_m};
+  if (!moving) {
+    rule.min_range_squared = exclusion.min_range_squared;
+    rule.transform = pass.trajectory.end();
+  }
+  std::size_t first = range.begin;
+  if (!moving && !exclusion.has_box) {
+    const PackedRecords records = packed_records(pass.points, range);
+    bin_records(records, rule, bins.cell.data() + pass.first + first,
+                bins.z.data() + pass.first + first);
+    first += records.count;
+  }
+  // What a last, shorter block leaves of these at its end is worked on, too, for nothing.
+  PointBlock points{};
+  BinBlock binned{};
+  for (; first < range.end; first += PointBlock::kMost) {
+    const std::size_t number = std::min(PointBlock::kMost, range.end - first);
+    if (moving)
+      load_moving(pass, exclusion, first, number, points);
+    else
+      load_block(pass, exclusion, first, number, points);
+    bin_block(points, rule, binned);
+    std::copy_n(binned.cell, number, bins.cell.data() + pass.first + first);
+    std::copy_n(binned.z, number, bins.z.data() + pass.first + first);
+  }
+}
+
+void bin_points(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
+                const Config& config, BinnedPoints& bins) {
+  bin_points(pass, range, WindowCells(map), Exclusion(config), bins);
 }
 
 void clear(ScanGrid& grid) {
@@ -55,52 +100,20 @@ void clear(ScanGrid& grid) {
   grid.occupied.clear();
 }
 
-void list_occupied_cells(ScanGrid& grid) {
-  const std::size_t cells = grid.is_occupied.size();
-  std::size_t cell = 0;
-  for (; cell + 8 <= cells; cell += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, &grid.is_occupied[cell], sizeof(eight));
-    if (eight == 0) continue;
-    for (std::size_t i = cell; i < cell + 8; ++i)
-      if (grid.is_occupied[i] != 0) grid.occupied.push_back(static_cast<std::uint32_t>(i));
-  }
-  for (; cell < cells; ++cell)
-    if (grid.is_occupied[cell] != 0) grid.occupied.push_back(static_cast<std::uint32_t>(cell));
+void add_to_cells(const BinnedPoints& bins, const PointRange& range, const CellBand& band,
+                  ScanGrid& grid) {
+  add_points({bins.cell.data() + range.begin, bins.z.data() + range.begin, range.end - range.begin},
+             band, grid.statistics.data(), grid.is_occupied.data());
 }
 
-}  // namespace
+void list_occupied(ScanGrid& grid) { append_marked(grid.is_occupied, 1, grid.occupied); }
 
-void bin_points(const SensorPass& pass, const ElevationMap& map, const Config& config,
-                TileRunner& runner, BinnedPoints& bins) {
-  const Exclusion exclusion(config);
-  const WindowCells cells(map);
-  if (pass.trajectory.moving()) {
-    runner.parallel_for_ranges(
-        pass.points.count, kBinnedPerTile, [&](std::size_t begin, std::size_t end) {
-          bin_range(pass, begin, end, exclusion, cells, bins,
-                    [&](std::size_t i) { return pass.trajectory.at(pass.points, i); });
-        });
-    return;
-  }
-  // A copy of its own stays in registers.
-  const PointTransform T_window_sensor = pass.trajectory.end();
-  runner.parallel_for_ranges(
-      pass.points.count, kBinnedPerTile, [&](std::size_t begin, std::size_t end) {
-        bin_range(pass, begin, end, exclusion, cells, bins,
-                  [&](std::size_t) -> const PointTransform& { return T_window_sensor; });
-      });
-}
-
-void rasterize(const BinnedPoints& bins, std::span<const Label> labels, TileRunner& runner,
-               ScanGrid& grid) {
+void rasterize(const BinnedPoints& bins, TileRunner& runner, ScanGrid& grid) {
   clear(grid);
-  for_each_binned_point(bins, labels, grid.statistics.size(), runner,
-                        [&](std::uint32_t cell, std::int32_t z) {
-                          add_point(grid.statistics[cell], z);
-                          grid.is_occupied[cell] = 1;
-                        });
-  list_occupied_cells(grid);
+  for_each_band(grid.statistics.size(), runner, [&](const CellBand& band, std::size_t) {
+    add_to_cells(bins, {0, bins.cell.size()}, band, grid);
+  });
+  list_occupied(grid);
 }
 
 }  // namespace groundgrid

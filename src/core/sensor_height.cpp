@@ -2,12 +2,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/exclusion.hpp"
 #include "core/input_checks.hpp"
-#include "core/point_transform.hpp"
+#include "core/rasterization.hpp"
 #include "groundgrid/ground_grid.hpp"
 
 namespace groundgrid {
@@ -20,9 +20,9 @@ namespace {
 constexpr float kCell_m = 0.5F;
 constexpr float kReach_m = 20.0F;
 constexpr int kCells = 80;
-constexpr float kFlat_m = 0.12F;
-constexpr float kMaxSensorHeight_m = 8.0F;
-constexpr float kBin_m = 0.05F;
+constexpr double kFlat_m = 0.12;
+constexpr double kMaxSensorHeight_m = 8.0;
+constexpr double kBin_m = 0.05;
 constexpr int kBins = 160;
 constexpr std::size_t kMinVotes = 5;
 // The plane starts from cells this close to the vote and ends with cells this close to itself.
@@ -30,30 +30,31 @@ constexpr double kFirstInlier_m = 0.3;
 constexpr double kLastInlier_m = 0.1;
 constexpr int kFits = 4;
 
-struct Extremes {
-  float min = std::numeric_limits<float>::infinity();
-  float max = -std::numeric_limits<float>::infinity();
-};
-
 struct FlatCell {
   double x = 0.0;
   double y = 0.0;
   double depth = 0.0;  ///< Below the sensor, metres.
 };
 
-std::vector<Extremes> cell_extremes(const PointView& points, const Exclusion& exclusion) {
-  std::vector<Extremes> cells(static_cast<std::size_t>(kCells) * kCells);
-  for (std::size_t i = 0; i < points.count; ++i) {
-    const Point3f p = load_point(points, i);
-    const bool near = std::abs(p.x) < kReach_m && std::abs(p.y) < kReach_m && std::isfinite(p.z);
-    if (!near || exclusion.takes(p, PointTransform{})) continue;
-    const int column = std::min(static_cast<int>((p.x + kReach_m) / kCell_m), kCells - 1);
-    const int row = std::min(static_cast<int>((p.y + kReach_m) / kCell_m), kCells - 1);
-    Extremes& cell = cells[static_cast<std::size_t>(row * kCells + column)];
-    cell.min = std::min(cell.min, p.z);
-    cell.max = std::max(cell.max, p.z);
+/// Cells around the sensor, row by row.
+std::vector<CellStatistics> cells_around(const PointView& points, const Exclusion& exclusion) {
+  constexpr std::size_t kPointsAtOnce = 4096;
+  const WindowCells window(kCells, kCell_m);
+  ScanGrid grid(static_cast<std::size_t>(kCells) * kCells);
+  const CellBand all{0, static_cast<std::uint32_t>(grid.statistics.size())};
+  SensorPass pass;
+  pass.trajectory.set_fixed(Eigen::Isometry3d(
+      Eigen::Translation3d(static_cast<double>(kReach_m), static_cast<double>(kReach_m), 0.0)));
+  BinnedPoints bins;
+  bins.resize(kPointsAtOnce);
+  for (std::size_t first = 0; first < points.count; first += kPointsAtOnce) {
+    pass.points = points;
+    pass.points.data += first * points.stride_bytes;
+    const std::size_t count = std::min(kPointsAtOnce, points.count - first);
+    bin_points(pass, {0, count}, window, exclusion, bins);
+    add_to_cells(bins, {0, count}, all, grid);
   }
-  return cells;
+  return std::move(grid.statistics);
 }
 
 double centre_of(int cell) {
@@ -61,14 +62,15 @@ double centre_of(int cell) {
 }
 
 std::vector<FlatCell> flat_cells(const PointView& points, const Exclusion& exclusion) {
-  const std::vector<Extremes> cells = cell_extremes(points, exclusion);
+  const std::vector<CellStatistics> cells = cells_around(points, exclusion);
   std::vector<FlatCell> flat;
   for (int row = 0; row < kCells; ++row) {
     for (int column = 0; column < kCells; ++column) {
-      const Extremes& cell = cells[static_cast<std::size_t>(row * kCells + column)];
-      const float depth = -0.5F * (cell.min + cell.max);
-      if (cell.max - cell.min < kFlat_m && depth > 0.0F && depth < kMaxSensorHeight_m)
-        flat.push_back({centre_of(column), centre_of(row), static_cast<double>(depth)});
+      const CellStatistics& cell = cells[static_cast<std::size_t>(row * kCells + column)];
+      if (cell.count == 0 || (cell.max - cell.min) * CellStatistics::kStep_m >= kFlat_m) continue;
+      const double depth = -0.5 * (cell.min + cell.max) * CellStatistics::kStep_m;
+      if (depth > 0.0 && depth < kMaxSensorHeight_m)
+        flat.push_back({centre_of(column), centre_of(row), depth});
     }
   }
   return flat;
@@ -78,7 +80,7 @@ std::vector<FlatCell> flat_cells(const PointView& points, const Exclusion& exclu
 double most_voted_depth(const std::vector<FlatCell>& cells) {
   std::vector<int> votes(kBins + 2);
   for (const FlatCell& cell : cells) {
-    const int bin = static_cast<int>(cell.depth / static_cast<double>(kBin_m));
+    const int bin = static_cast<int>(cell.depth / kBin_m);
     ++votes[static_cast<std::size_t>(std::min(bin, kBins - 1)) + 1];
   }
   int best = 0;
@@ -91,23 +93,33 @@ double most_voted_depth(const std::vector<FlatCell>& cells) {
       best_votes = around;
     }
   }
-  return (best + 0.5) * static_cast<double>(kBin_m);
+  return (best + 0.5) * kBin_m;
 }
 
 /// Depth, rise along x, rise along y of the plane through the cells close to `plane`.
 std::optional<Eigen::Vector3d> fit_plane(const std::vector<FlatCell>& cells,
                                          const Eigen::Vector3d& plane, double inlier_m) {
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  std::size_t inliers = 0;
+  // Sums one by one and without a jump: most of what an estimate costs once the cells are known.
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, d = 0.0, dx = 0.0, dy = 0.0;
   for (const FlatCell& cell : cells) {
-    const Eigen::Vector3d row(1.0, cell.x, cell.y);
-    if (std::abs(cell.depth - row.dot(plane)) > inlier_m) continue;
-    normal += row * row.transpose();
-    right += row * cell.depth;
-    ++inliers;
+    const double off = cell.depth - (plane[0] + plane[1] * cell.x + plane[2] * cell.y);
+    const double taken = std::abs(off) > inlier_m ? 0.0 : 1.0;
+    const double taken_x = taken * cell.x;
+    const double taken_y = taken * cell.y;
+    n += taken;
+    x += taken_x;
+    y += taken_y;
+    xx += taken_x * cell.x;
+    xy += taken_x * cell.y;
+    yy += taken_y * cell.y;
+    d += taken * cell.depth;
+    dx += taken_x * cell.depth;
+    dy += taken_y * cell.depth;
   }
-  if (inliers < kMinVotes) return std::nullopt;
+  if (n < static_cast<double>(kMinVotes)) return std::nullopt;
+  Eigen::Matrix3d normal;
+  normal << n, x, y, x, xx, xy, y, xy, yy;
+  const Eigen::Vector3d right(d, dx, dy);
   // A touch of weight on "level" keeps the plane defined where all cells lie in one line.
   normal.diagonal().tail<2>().array() += 1.0;
   return Eigen::Vector3d(normal.ldlt().solve(right));
@@ -129,7 +141,7 @@ std::optional<double> estimate_sensor_height(const PointView& points, const Conf
   }
   // The plane may meet the sensor's axis where no cell was, even above the sensor.
   const double height = plane.x();
-  if (!(height > 0.0 && height < static_cast<double>(kMaxSensorHeight_m))) return std::nullopt;
+  if (!(height > 0.0 && height < kMaxSensorHeight_m)) return std::nullopt;
   return height;
 }
 

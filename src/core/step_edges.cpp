@@ -26,8 +26,8 @@ constexpr float kAlikeShare = 0.5F;
 
 }  // namespace
 
-void StepEdges::collect(const BinnedPoints& bins, std::span<const Label> labels,
-                        const ScanGrid& grid, TileRunner& runner, const CellLimits& limits) {
+void StepEdges::collect(const BinnedPoints& bins, const ScanGrid& grid, TileRunner& runner,
+                        const CellLimits& limits) {
   constexpr auto kStep_m = static_cast<float>(CellStatistics::kStep_m);
   const auto cells = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
   moments_.resize(cells);
@@ -41,7 +41,7 @@ void StepEdges::collect(const BinnedPoints& bins, std::span<const Label> labels,
   }
   collected_ = grid.occupied;
   const CellLimit* limit_of = limits.limits().data();
-  for_each_binned_point(bins, labels, cells, runner, [&](std::uint32_t cell, std::int32_t z) {
+  for_each_binned_point(bins, cells, runner, [&](std::uint32_t cell, std::int32_t z) {
     const CellLimit limit = limit_of[cell];
     if (static_cast<float>(z) * kStep_m - limit.level > limit.threshold) return;
     Moments& moments = moments_[cell];
@@ -151,10 +151,9 @@ bool StepEdges::goes_on(std::uint32_t cell, float max_step) const {
   return alike >= kCellsAlike;
 }
 
-void StepEdges::lower_limits(const BinnedPoints& bins, std::span<const Label> labels,
-                             const ScanGrid& grid, const Config& config, TileRunner& runner,
-                             CellLimits& limits) {
-  collect(bins, labels, grid, runner, limits);
+void StepEdges::lower_limits(const BinnedPoints& bins, const ScanGrid& grid, const Config& config,
+                             TileRunner& runner, CellLimits& limits) {
+  collect(bins, grid, runner, limits);
   const auto find_steps = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) steps_[collected_[i]] = highest_step(collected_[i]);
   };

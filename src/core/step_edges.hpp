@@ -22,8 +22,8 @@ class StepEdges {
 
   /// Lowers the limits of cells at a step higher than max_step_m: more than half of that above the
   /// lower side of the step their points are obstacles. What is ground, the limits say so far.
-  void lower_limits(const BinnedPoints& bins, std::span<const Label> labels, const ScanGrid& grid,
-                    const Config& config, TileRunner& runner, CellLimits& limits);
+  void lower_limits(const BinnedPoints& bins, const ScanGrid& grid, const Config& config,
+                    TileRunner& runner, CellLimits& limits);
 
  private:
   /// Heights of the ground points of a cell, in steps of 0.1 mm.
@@ -56,8 +56,8 @@ class StepEdges {
     int y = 0;
   };
 
-  void collect(const BinnedPoints& bins, std::span<const Label> labels, const ScanGrid& grid,
-               TileRunner& runner, const CellLimits& limits);
+  void collect(const BinnedPoints& bins, const ScanGrid& grid, TileRunner& runner,
+               const CellLimits& limits);
   [[nodiscard]] Level level_at(int column, int row) const;
   [[nodiscard]] Profile profile_along(int column, int row, Direction along) const;
   [[nodiscard]] Step step_along(int column, int row, Direction along) const;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/marked_cells.hpp"
 
 namespace groundgrid {
 namespace {
@@ -21,47 +24,27 @@ constexpr float kPlaneFactor = 1.2F;
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(int size, double cell_size_m)
-    : size_(size),
+SurfaceFit::SurfaceFit(int size, double cell_size_m, TileRunner& runner)
+    : runner_(&runner),
+      size_(size),
       cell_size_(static_cast<float>(cell_size_m)),
-      planes_(size, cell_size_m),
-      weights_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
-      heights_(weights_.size()),
-      surface_(weights_.size()),
-      standing_(weights_.size()) {
-  told_.reserve(weights_.size());
-  patch_.reserve(weights_.size());
+      planes_(size, cell_size_m, runner.threads()),
+      heights_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
+      surface_(heights_.size()),
+      standing_(heights_.size()) {
+  raised_.reserve(heights_.size());
+  patch_.reserve(heights_.size());
 }
 
-void SurfaceFit::clear() {
-  told_.clear();
-  std::fill(weights_.begin(), weights_.end(), 0.0F);
-  std::fill(standing_.begin(), standing_.end(), Standing::unknown);
+void SurfaceFit::accept_all() {
+  for (std::size_t cell = 0; cell < heights_.size(); ++cell)
+    standing_[cell] = heights_[cell] == kUnknownHeight ? Standing::unknown : Standing::on_surface;
 }
 
-void SurfaceFit::add(std::uint32_t cell, float height) {
-  told_.push_back(cell);
-  weights_[cell] = 1.0F;
-  heights_[cell] = height;
-  standing_[cell] = Standing::on_surface;
-}
-
-void SurfaceFit::reweight(const Config& config) {
-  const auto tolerance = static_cast<float>(config.surface_tolerance_m);
-  for (const std::uint32_t cell : told_) {
-    const float above = heights_[cell] - surface_[cell];
-    float ratio = 1.0F;
-    if (above > tolerance) ratio = tolerance / above;
-    if (above < -kReflection_m) ratio = -kReflection_m / above;
-    weights_[cell] = ratio * ratio;
-  }
-}
-
-void SurfaceFit::find_raised(const Config& config) {
-  const auto step = static_cast<float>(config.surface_step_m);
-  for (const std::uint32_t cell : told_)
-    standing_[cell] =
-        heights_[cell] > surface_[cell] + step ? Standing::raised : Standing::on_surface;
+void SurfaceFit::list_raised() {
+  raised_.clear();
+  const auto* standing = reinterpret_cast<const std::uint8_t*>(standing_.data());
+  append_marked({standing, standing_.size()}, static_cast<std::uint8_t>(Standing::raised), raised_);
 }
 
 /// Collects the raised cells that hang together with this one.
@@ -93,7 +76,7 @@ void SurfaceFit::keep_plateaus(const Config& config) {
   const auto cells = static_cast<std::size_t>(
       config.plateau_area_m2 / (static_cast<double>(cell_size_) * static_cast<double>(cell_size_)));
   const auto highest = static_cast<float>(config.plateau_height_m);
-  for (const std::uint32_t seed : told_) {
+  for (const std::uint32_t seed : raised_) {
     if (standing_[seed] != Standing::raised) continue;
     follow_raised(seed);
     float sum = 0.0F;
@@ -106,26 +89,42 @@ void SurfaceFit::keep_plateaus(const Config& config) {
 
 void SurfaceFit::reject_raised(const LocalPlane& top, const Config& config) {
   const std::size_t level = planes_.level_of(config.surface_block_m);
-  for (int pass = 0; pass < kPasses; ++pass) {
-    planes_.fit(weights_, heights_, top, level);
-    planes_.evaluate(level, surface_);
-    reweight(config);
-  }
-  find_raised(config);
+  const auto count = static_cast<std::size_t>(size_);
+  const HeightTolerance tolerance{static_cast<float>(config.surface_tolerance_m), kReflection_m};
+  const auto step = static_cast<float>(config.surface_step_m);
+  const auto heights_of = [&](std::size_t row) { return heights_.data() + row * count; };
+  using RowCursor = PlaneHierarchy::RowCursor;
+  const auto weigh = [&](std::size_t row, const RowCursor&, float* weights) {
+    weigh_known(heights_of(row), count, weights);
+  };
+  const auto reweigh = [&](std::size_t row, RowCursor& cursor, float* weights) {
+    const SurfaceBetween along = planes_.surface_along(level, row, cursor);
+    reweight(heights_of(row), along, tolerance, count, weights);
+  };
+  planes_.fit(heights_, weigh, top, level, *runner_);
+  for (int pass = 1; pass < kPasses; ++pass) planes_.fit(heights_, reweigh, top, level, *runner_);
+  planes_.for_each_row(level, *runner_, [&](std::size_t row, const SurfaceBetween& along) {
+    judge(heights_of(row), along, step, count, standing_.data() + row * count,
+          surface_.data() + row * count);
+  });
+  list_raised();
   keep_plateaus(config);
+  std::erase_if(raised_, [&](std::uint32_t cell) { return !is_raised(cell); });
 }
 
 void SurfaceFit::fit(std::span<const float> heights, const LocalPlane& top) {
-  for (std::size_t cell = 0; cell < weights_.size(); ++cell)
-    weights_[cell] = standing_[cell] == Standing::on_surface ? 1.0F : 0.0F;
-  planes_.fit(weights_, heights, top, 0);
-  planes_.evaluate(0, surface_);
+  const auto count = static_cast<std::size_t>(size_);
+  const auto weigh = [&](std::size_t row, const PlaneHierarchy::RowCursor&, float* weights) {
+    weigh_surface(standing_.data() + row * count, count, weights);
+  };
+  planes_.fit(heights, weigh, top, 0, *runner_);
 }
 
 void SurfaceFit::standard_deviation(std::span<const float> heights, const Config& config,
                                     std::span<float> deviation) {
   planes_.evaluate_variance(0, deviation);
-  planes_.evaluate(planes_.level_of(config.surface_block_m), heights_);
+  planes_.evaluate(0, *runner_, surface_);
+  planes_.evaluate(planes_.level_of(config.surface_block_m), *runner_, heights_);
   for (std::size_t cell = 0; cell < deviation.size(); ++cell) {
     const float off = heights[cell] - surface_[cell];
     float variance = kPlaneFactor * deviation[cell] + off * off;

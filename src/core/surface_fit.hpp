@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "core/plane_hierarchy.hpp"
+#include "core/surface_kernels.hpp"
 #include "groundgrid/config.hpp"
 
 namespace groundgrid {
@@ -15,33 +17,42 @@ namespace groundgrid {
 class SurfaceFit {
  public:
   /// For `size` × `size` cells, row by row, x fastest; `size` is an odd number.
-  SurfaceFit(int size, double cell_size_m);
+  /// Its tasks run on `runner`, which outlives this object.
+  SurfaceFit(int size, double cell_size_m, TileRunner& runner);
 
-  /// Forgets all heights.
-  void clear();
-  /// Tells a cell's height, metres. Cells come in ascending order, each once.
-  void add(std::uint32_t cell, float height);
+  /// The heights that are known, metres, one a cell, kUnknownHeight where nothing is; to be written
+  /// before reject_raised() or accept_all().
+  [[nodiscard]] std::span<float> heights() { return heights_; }
+
+  /// Takes all cells with a height for ground.
+  void accept_all();
 
   /// Fits planes again and again with less weight for the cells above them, then takes out those
   /// that still stand Config::surface_step_m above and are no plateau. `top` is the plane that is
   /// expected at the middle of the square.
   void reject_raised(const LocalPlane& top, const Config& config);
 
-  /// Whether a cell was told and not taken out.
+  /// Whether a cell has a height and was not taken out.
   [[nodiscard]] bool is_ground(std::uint32_t cell) const {
     return standing_[cell] == Standing::on_surface;
   }
-  /// Whether a cell was told and taken out.
+  /// Whether a cell has a height and was taken out.
   [[nodiscard]] bool is_raised(std::uint32_t cell) const {
     return standing_[cell] == Standing::judged;
   }
-  /// The cells that were told, ascending.
-  [[nodiscard]] std::span<const std::uint32_t> told() const { return told_; }
+  [[nodiscard]] std::span<const Standing> standing() const { return standing_; }
+  /// The cells that reject_raised() took out, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> raised() const { return raised_; }
 
   /// Fits planes down to the finest blocks to those of these heights, one a cell, that are ground.
   void fit(std::span<const float> heights, const LocalPlane& top);
   /// The height of those planes at each cell.
-  [[nodiscard]] std::span<const float> surface() const { return surface_; }
+  void evaluate(std::span<float> surface) { planes_.evaluate(0, *runner_, surface); }
+  /// Calls visit(row, those planes along it) for every row of cells, some rows on each thread.
+  template <typename Visit>
+  void for_each_row(const Visit& visit) {
+    planes_.for_each_row(0, *runner_, visit);
+  }
 
   /// Standard deviation of the true height of the ground around these heights, metres, one a cell,
   /// after fit() of the same heights.
@@ -49,22 +60,19 @@ class SurfaceFit {
                           std::span<float> deviation);
 
  private:
-  enum class Standing : std::uint8_t { unknown, on_surface, raised, judged };
-
-  void reweight(const Config& config);
-  void find_raised(const Config& config);
+  void list_raised();
   void keep_plateaus(const Config& config);
   void follow_raised(std::uint32_t seed);
 
+  TileRunner* runner_;
   int size_;
   float cell_size_;
   PlaneHierarchy planes_;
-  std::vector<float> weights_;        // per cell; 0 where nothing is known
-  std::vector<float> heights_;        // per cell, where it has a weight
-  std::vector<float> surface_;        // per cell
-  std::vector<Standing> standing_;    // per cell
-  std::vector<std::uint32_t> told_;   // cells with a height, ascending
-  std::vector<std::uint32_t> patch_;  // of raised cells, in the order they were found
+  std::vector<float> heights_;         // per cell
+  std::vector<float> surface_;         // per cell with a height, of the blocks that tell what rises
+  std::vector<Standing> standing_;     // per cell
+  std::vector<std::uint32_t> raised_;  // cells, ascending
+  std::vector<std::uint32_t> patch_;   // of raised cells, in the order they were found
 };
 
 }  // namespace groundgrid

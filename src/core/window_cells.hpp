@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 #include "core/elevation_map.hpp"
 #include "core/point_transform.hpp"
@@ -14,10 +15,12 @@ struct WindowCells {
   float inverse_cell_size;
   int size;
 
+  WindowCells(int cells_a_side, float cell_size_m)
+      : extent(static_cast<float>(cells_a_side) * cell_size_m),
+        inverse_cell_size(1.0F / cell_size_m),
+        size(cells_a_side) {}
   explicit WindowCells(const ElevationMap& map)
-      : extent(static_cast<float>(map.size()) * static_cast<float>(map.cell_size())),
-        inverse_cell_size(1.0F / static_cast<float>(map.cell_size())),
-        size(map.size()) {}
+      : WindowCells(map.size(), static_cast<float>(map.cell_size())) {}
 
   /// Written so that NaN is outside.
   [[nodiscard]] bool contains(const Point3f& p) const {
@@ -29,6 +32,23 @@ struct WindowCells {
   [[nodiscard]] int index_of(float metres) const {
     return std::min(static_cast<int>(in_cells(metres)), size - 1);
   }
+};
+
+/// The rows of cells that are asked for in ascending order, without a division for each.
+class AscendingRows {
+ public:
+  explicit AscendingRows(std::size_t size, std::size_t first_cell = 0)
+      : size_(size), row_(first_cell / size), end_((row_ + 1) * size) {}
+
+  [[nodiscard]] std::size_t row_of(std::size_t cell) {
+    for (; cell >= end_; end_ += size_) ++row_;
+    return row_;
+  }
+
+ private:
+  std::size_t size_;
+  std::size_t row_;
+  std::size_t end_;  // the first cell of the next row
 };
 
 }  // namespace groundgrid

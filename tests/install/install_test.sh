@@ -53,12 +53,15 @@ tree() {
   fail "these files know where they were built or installed:"$'\n'"$named"
 }
 
-# Each header alone, and in the installed tree, so that it includes nothing that stays behind.
+# Each header alone, and in the installed tree, so that it includes nothing that stays behind, and
+# oneTBB only where its name says so.
 headers() {
-  local header count=0
+  local header count=0 needs
   while read -r header; do
-    echo "#include <$header>" |
-      "$CXX" -x c++ -fsyntax-only -Wall -Wextra -Werror $(pkg-config --cflags groundgrid) -
+    needs=$(echo "#include <$header>" | "$CXX" -x c++ -fsyntax-only -MD -MF /dev/stdout \
+      -Wall -Wextra -Werror $(pkg-config --cflags groundgrid) -)
+    if [[ $header == */tbb_* ]]; then expect "$needs" '/task_arena\.h'
+    elif [[ $needs == */task_arena.h* ]]; then fail "$header needs oneTBB"; fi
     count=$((count + 1))
   done < <(cd "$tree/include" && find . -name '*.hpp' | sed 's|^\./||' | sort)
   [[ $count -eq $(find "$SOURCE/include" -name '*.hpp' | wc -l) ]] || fail "$count headers"
@@ -66,7 +69,8 @@ headers() {
 
 examples() {
   local example output
-  for example in 01_single_scan 02_drive 03_own_point_type 04_several_sensors; do
+  for example in 01_single_scan 02_drive 03_own_point_type 04_several_sensors \
+    05_own_threads; do
     build_example "$example" "$tree" "$example"
     output=$("$WORK/$example/${example#*_}")
     echo "$output"
@@ -78,6 +82,8 @@ examples() {
         expect "$output" '^  motion-corrected: [+-]0\.00 m$' ;;
       04*) expect "$output" '^front: .* points, (100\.0|99\.[0-9]) % ground$'
         expect "$output" '^rear: .* points, 7[0-9]\.[0-9] % ground$' ;;
+      05*) expect "$output" '^an arena of 2 threads: the same labels$'
+        expect "$output" '^own threads: the same labels$' ;;
     esac
   done
   # What is not in the folder of scans is said, not passed over.
@@ -91,6 +97,23 @@ pkg_config() {
     "$CXX" "$SOURCE/examples/01_single_scan/main.cpp" -o "$WORK/by_pkg_config" \
       $(pkg-config --cflags --libs $how groundgrid)
     expect_single_scan "$("$WORK/by_pkg_config")"
+    "$CXX" "$SOURCE/examples/05_own_threads/main.cpp" -o "$WORK/arena_by_pkg_config" \
+      $(pkg-config --cflags --libs $how groundgrid tbb)
+    expect "$("$WORK/arena_by_pkg_config")" '^an arena of 2 threads: the same labels$'
+  done
+}
+
+# Where nobody asks for threads nothing of oneTBB is called, not even to count cores. Functions are
+# looked for when first called, and the dynamic linker says so.
+one_thread() {
+  local example calls
+  for example in 01_single_scan 05_own_threads; do
+    "$CXX" "$SOURCE/examples/$example/main.cpp" -o "$WORK/$example.lazy" -Wl,-z,lazy \
+      $(pkg-config --cflags --libs groundgrid tbb)
+    calls=$(LD_DEBUG=bindings "$WORK/$example.lazy" 2>&1 |
+      grep -E "binding file $WORK/$example.lazy .* to .*/libtbb\.so.* normal symbol") || true
+    if [[ $example == 01* ]]; then [[ -z $calls ]] || fail "oneTBB is called: $calls"
+    else expect "$calls" 'task_arena'; fi
   done
 }
 
@@ -109,6 +132,8 @@ shared_library() {
   build_example 01_single_scan "$prefix" with_shared
   expect "$(ldd "$WORK/with_shared/single_scan")" "libgroundgrid\.so\.[0-9.]+ => $prefix/lib/"
   expect_single_scan "$("$WORK/with_shared/single_scan")"
+  build_example 05_own_threads "$prefix" threads_with_shared
+  expect "$("$WORK/threads_with_shared/own_threads")" '^an arena of 2 threads: the same labels$'
 
   PKG_CONFIG_PATH=$prefix/lib/pkgconfig
   [[ $(pkg-config --libs groundgrid) != *tbb* ]] || fail "users of the shared library link TBB"

@@ -5,6 +5,9 @@
 #include "groundgrid/ground_grid.hpp"
 #include "groundgrid/terrain_layers.hpp"
 #include "support/drive.hpp"
+#ifndef GROUNDGRID_STD_THREAD
+#include "groundgrid/tbb_executor.hpp"
+#endif
 
 namespace groundgrid {
 namespace {
@@ -12,9 +15,8 @@ namespace {
 using testing::DriveScan;
 using testing::street_drive;
 
-std::size_t allocations_once_warm(const Config& config) {
+std::size_t allocations_once_warm(GroundGrid grid) {
   const std::vector<DriveScan> drive = street_drive(6);
-  GroundGrid grid(config);
   const auto pass = [&] {
     for (const DriveScan& scan : drive) grid.process(scan.scan(), scan.T_map_base);
   };
@@ -31,18 +33,60 @@ TEST(Allocation, IsCounted) {
 }
 
 TEST(Allocation, ProcessAllocatesNothingOnceWarm) {
-  EXPECT_EQ(allocations_once_warm(Config{}), 0U);
-  EXPECT_EQ(allocations_once_warm(Config::paper()), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config{})), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config::paper())), 0U);
   Config steps;
   steps.max_step_m = 0.08;
-  EXPECT_EQ(allocations_once_warm(steps), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(steps)), 0U);
+}
+
+/// The same rays, none of which meets anything that stands.
+std::vector<DriveScan> flattened(std::vector<DriveScan> drive) {
+  for (DriveScan& scan : drive)
+    for (std::size_t z = 2; z < scan.points.size(); z += scan.floats_per_point)
+      scan.points[z] = -1.75F;
+  return drive;
+}
+
+class FourAtATime final : public Executor {
+ public:
+  [[nodiscard]] int concurrency() const override { return 4; }
+  void run(std::size_t tiles, TileTask task) override {
+    for (std::size_t tile = 0; tile < tiles; ++tile) task(tile);
+  }
+};
+
+TEST(Allocation, ProcessWithAnExecutorAllocatesNothingOnceWarm) {
+  FourAtATime executor;
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config{}, executor)), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config::paper(), executor)), 0U);
+}
+
+std::size_t allocations_for_what_stands(GroundGrid grid) {
+  const std::vector<DriveScan> street = street_drive(6);
+  for (const DriveScan& scan : flattened(street)) grid.process(scan.scan(), scan.T_map_base);
+  const std::size_t before = testing::allocations();
+  for (const DriveScan& scan : street) grid.process(scan.scan(), scan.T_map_base);
+  return testing::allocations() - before;
+}
+
+TEST(Allocation, ProcessAllocatesNothingForAnotherScene) {
+  FourAtATime executor;
+  EXPECT_EQ(allocations_for_what_stands(GroundGrid(Config{})), 0U);
+  EXPECT_EQ(allocations_for_what_stands(GroundGrid(Config{}, executor)), 0U);
 }
 
 #ifndef GROUNDGRID_STD_THREAD
+TEST(Allocation, ProcessInAnArenaOfTheCallerAllocatesNothingOnceWarm) {
+  oneapi::tbb::task_arena arena(2);
+  TbbExecutor executor(arena);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config{}, executor)), 0U);
+}
+
 TEST(Allocation, ProcessOnTwoThreadsAllocatesNothingOnceWarm) {
   Config config;
   config.threads = 2;
-  EXPECT_EQ(allocations_once_warm(config), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(config)), 0U);
 }
 #endif
 

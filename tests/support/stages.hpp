@@ -49,8 +49,7 @@ class PointsInCells {
 
   const ScanGrid& grid() {
     TileRunner runner(1);
-    const std::vector<Label> labels(bins_.cell.size(), Label::unknown);
-    rasterize(bins_, labels, runner, grid_);
+    rasterize(bins_, runner, grid_);
     return grid_;
   }
 

@@ -24,16 +24,15 @@ class CellLimitsByColumn : public ::testing::Test {
   }
 
   CellLimit limit(int column, int row) {
-    TileRunner runner(2);
-    const std::vector<Label> labels(points_.bins().cell.size(), Label::unknown);
-    limits_.choose_by_column(points_.bins(), labels, points_.grid(), map_, config_, runner);
+    limits_.choose_by_column(points_.bins(), points_.grid(), map_, config_, runner_);
     return limits_.limits()[cell_index(map_, column, row)];
   }
 
   Config config_;
   ElevationMap map_;
   PointsInCells points_;
-  CellLimits limits_{441};
+  TileRunner runner_{2};
+  CellLimits limits_{map_, runner_};
 };
 
 TEST_F(CellLimitsByColumn, WhatRisesFromTheGroundTightensTheThreshold) {
@@ -64,8 +63,7 @@ TEST_F(CellLimitsByColumn, TheScanBeforeIsForgotten) {
   PointsInCells next(map_);
   next.add(11, 10, {0.0});
   TileRunner runner(1);
-  limits_.choose_by_column(next.bins(), std::vector<Label>(1, Label::unknown), next.grid(), map_,
-                           config_, runner);
+  limits_.choose_by_column(next.bins(), next.grid(), map_, config_, runner);
   EXPECT_NEAR(limits_.limits()[cell_index(map_, 11, 10)].level, 0.0F, 1e-6F);
 }
 
@@ -78,7 +76,7 @@ TEST(CellLimitsByClass, GroundCellsAndOthers) {
   points.add(2, 2, {0.0});
   std::vector<std::uint8_t> is_ground(map.cells());
   is_ground[cell_index(map, 1, 1)] = 1;
-  CellLimits limits(map.cells());
+  CellLimits limits(map, TileRunner(1));
   limits.choose_by_class(points.grid(), is_ground, map, paper);
   EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 1, 1)].threshold, 0.3F);  // h_g
   EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 2, 2)].threshold, 0.1F);  // h_o

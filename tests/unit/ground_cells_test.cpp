@@ -181,10 +181,15 @@ TEST_F(GroundCellsTest, AnswersOfTheScanBeforeAreForgotten) {
   EXPECT_FLOAT_EQ(cells_.cells().at(0).patch_points, 2.0F);
 }
 
-TEST(SensorPositions, DistanceIsPlanarAndToTheNearestSensor) {
-  const SensorPositions positions{{{0.0F, 0.0F, 9.0F}, {10.0F, 0.0F, -9.0F}}};
-  EXPECT_FLOAT_EQ(positions.distance_to(3.0F, 4.0F), 5.0F);
-  EXPECT_FLOAT_EQ(positions.distance_to(10.0F, 2.0F), 2.0F);
+TEST_F(GroundCellsTest, DistanceIsPlanarAndToTheNearestSensor) {
+  config_.patch_change_distance_m = 2.0;
+  points_.add(8, 5, {0.0});
+  points_.add(10, 5, {0.0});  // two cells away
+  EXPECT_FLOAT_EQ(classified(8, 5).patch_points, 2.0F) << "3 m from the only sensor";
+  TileRunner runner(1);
+  const SensorPositions two{{{5.5F, 5.5F, 1.7F}, {8.5F, 6.5F, -40.0F}}};
+  cells_.classify(points_.grid(), map_, two, config_, runner);
+  EXPECT_FLOAT_EQ(cells_.cells().at(0).patch_points, 1.0F) << "1 m from the other one";
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ class GroundEnvelopeTest : public ::testing::Test {
     TileRunner runner(1);
     const ScanGrid& grid = points.grid();
     cells_.classify(grid, map_, SensorPositions{{{20.5F, 20.5F, 1.7F}}}, config_, runner);
-    GroundEnvelope envelope(map_);
+    GroundEnvelope envelope(map_, runner);
     envelope.reject_raised(grid, map_, plane, config_, cells_);
   }
 

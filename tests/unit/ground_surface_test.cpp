@@ -21,7 +21,10 @@ class GroundSurfaceTest : public ::testing::Test {
   using Height = std::function<std::optional<double>(int column, int row)>;
 
   GroundSurfaceTest()
-      : config_(metre_grid(61)), map_(flat_map(config_)), cells_(map_.cells()), surface_(map_) {
+      : config_(metre_grid(61)),
+        map_(flat_map(config_)),
+        cells_(map_.cells()),
+        surface_(map_, runner_) {
     config_.min_point_fraction = 0.0;
     config_.min_variance_threshold = 1.0;  // every cell with a point is a ground cell at first
     config_.fit_surface = true;
@@ -61,6 +64,7 @@ class GroundSurfaceTest : public ::testing::Test {
   Config config_;
   ElevationMap map_;
   GroundCells cells_;
+  TileRunner runner_{2};
   GroundSurface surface_;
 };
 

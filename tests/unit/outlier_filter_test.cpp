@@ -204,18 +204,23 @@ TEST(FilterOutliers, MarksOnlyPointsDeeperThanTheLeastDepth) {
   TileRunner runner(1);
   BinnedPoints bins;
   bins.resize(4);
-  bin_points(pass, map, config, runner, bins);
-  std::vector<Label> labels(4, Label::obstacle);
-  filter_outliers(pass, map, config, bins, runner, labels);
-  EXPECT_EQ(labels, std::vector<Label>(4, Label::unknown)) << "a blank map knows nothing";
+  bin_points(pass, {0, pass.points.count}, map, config, bins);
+  const std::vector<std::uint32_t> cells = bins.cell;
+  const auto outliers = [&] {
+    bins.cell = cells;
+    filter_outliers(pass, {0, 4}, map, config, bins);
+    std::vector<bool> marked;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      marked.push_back(bins.is_outlier(i));
+      EXPECT_EQ(bins.cell[i] | BinnedPoints::kOutlier, cells[i] | BinnedPoints::kOutlier);
+    }
+    return marked;
+  };
+  EXPECT_EQ(outliers(), std::vector<bool>(4, false)) << "a blank map knows nothing";
   map.mark_observed();
-  filter_outliers(pass, map, config, bins, runner, labels);
-  EXPECT_EQ(labels,
-            (std::vector<Label>{Label::outlier, Label::unknown, Label::unknown, Label::unknown}));
+  EXPECT_EQ(outliers(), (std::vector<bool>{true, false, false, false}));
   config.outlier_min_depth_m = 0.2;
-  filter_outliers(pass, map, config, bins, runner, labels);
-  EXPECT_EQ(labels,
-            (std::vector<Label>{Label::outlier, Label::outlier, Label::unknown, Label::unknown}));
+  EXPECT_EQ(outliers(), (std::vector<bool>{true, true, false, false}));
 }
 
 }  // namespace

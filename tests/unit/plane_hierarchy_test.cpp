@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -32,10 +33,19 @@ class PlaneHierarchyTest : public ::testing::Test {
     heights[cell(x, y)] = static_cast<float>(height);
     weights[cell(x, y)] = static_cast<float>(weight);
   }
+  /// The weights as the fit asks for them.
+  auto weigh() const {
+    return [this](std::size_t row, const PlaneHierarchy::RowCursor&, float* row_weights) {
+      const auto count = static_cast<std::ptrdiff_t>(size);
+      const auto first = weights.begin() + static_cast<std::ptrdiff_t>(row) * count;
+      std::copy(first, first + count, row_weights);
+    };
+  }
   void fit(const LocalPlane& top = {}, std::size_t level = 0) {
-    PlaneHierarchy planes(size, 1.0);
-    planes.fit(weights, heights, top, level);
-    planes.evaluate(level, surface);
+    TileRunner runner(2);
+    PlaneHierarchy planes(size, 1.0, 2);
+    planes.fit(heights, weigh(), top, level, runner);
+    planes.evaluate(level, runner, surface);
   }
   double at(int x, int y) const { return static_cast<double>(surface[cell(x, y)]); }
 
@@ -56,8 +66,9 @@ TEST_F(PlaneHierarchyTest, WithoutHeightsTheExpectedPlaneGoesOn) {
 TEST_F(PlaneHierarchyTest, OneHeightNarrowsTheVarianceByItsShare) {
   make(5);
   set(0, 0, 1.0);
-  PlaneHierarchy planes(size, 1.0);
-  planes.fit(weights, heights, {}, 0);
+  TileRunner runner(2);
+  PlaneHierarchy planes(size, 1.0, 2);
+  planes.fit(heights, weigh(), {}, 0, runner);
   planes.evaluate_variance(0, surface);
   // 0.25 m² was expected, 0.0234 m² is that of the height; slopes of ± 0.1 stay.
   EXPECT_NEAR(at(0, 0), 0.25 * 0.0234 / (0.25 + 0.0234), 1e-6);
@@ -142,7 +153,7 @@ TEST_F(PlaneHierarchyTest, AQuarterTurnTurnsTheSurface) {
 }
 
 TEST_F(PlaneHierarchyTest, LevelsAreAsWideAsAskedFor) {
-  const PlaneHierarchy planes(365, 0.33);  // 1.65 m, 4.95 m, 14.85 m, 44.55 m, 133.65 m
+  const PlaneHierarchy planes(365, 0.33, 1);  // 1.65 m, 4.95 m, 14.85 m, 44.55 m, 133.65 m
   EXPECT_EQ(planes.level_of(0.0), 0U);
   EXPECT_EQ(planes.level_of(1.7), 1U);
   EXPECT_EQ(planes.level_of(4.9), 1U);

@@ -61,13 +61,15 @@ TEST(Rasterize, LeavesOutliersOutAndForgetsTheScanBefore) {
   points.add(3, 4, {1.0, 2.0});
   ScanGrid grid(map.cells());
   TileRunner runner(1);
-  rasterize(points.bins(), std::vector<Label>{Label::unknown, Label::outlier}, runner, grid);
+  BinnedPoints bins = points.bins();
+  bins.cell[1] |= BinnedPoints::kOutlier;
+  rasterize(bins, runner, grid);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].count, 1U);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].max, 10000);
 
   PointsInCells next(map);
   next.add(5, 5, {0.0});
-  rasterize(next.bins(), std::vector<Label>{Label::unknown}, runner, grid);
+  rasterize(next.bins(), runner, grid);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].count, 0U);
   EXPECT_EQ(grid.is_occupied[cell_index(map, 3, 4)], 0);
   EXPECT_EQ(grid.occupied.size(), 1U);
@@ -80,7 +82,7 @@ TEST(Rasterize, SumsOfTwoMillionPointsInOneCellDoNotOverflow) {
   bins.z.assign(2'000'000, 2'000'000);  // 200 m
   ScanGrid grid(map.cells());
   TileRunner runner(1);
-  rasterize(bins, std::vector<Label>(bins.cell.size(), Label::unknown), runner, grid);
+  rasterize(bins, runner, grid);
   EXPECT_EQ(grid.statistics[60].count, 2'000'000U);
   EXPECT_DOUBLE_EQ(grid.statistics[60].mean_m(), 200.0);
   EXPECT_EQ(grid.statistics[60].variance_m2(), 0.0);
@@ -93,7 +95,7 @@ BinnedPoints bin(const ElevationMap& map, const Config& config, const std::vecto
   TileRunner runner(1);
   BinnedPoints bins;
   bins.resize(pass.points.count);
-  bin_points(pass, map, config, runner, bins);
+  bin_points(pass, {0, pass.points.count}, map, config, bins);
   return bins;
 }
 
@@ -155,7 +157,7 @@ TEST(BinPoints, TheOwnVehiclesBoxIsInBase) {
   TileRunner runner(1);
   BinnedPoints bins;
   bins.resize(3);
-  bin_points(pass, map, config, runner, bins);
+  bin_points(pass, {0, pass.points.count}, map, config, bins);
   EXPECT_EQ(bins.cell[0], BinnedPoints::kNoCell);  // (3, 0, 1) in base: inside
   EXPECT_NE(bins.cell[1], BinnedPoints::kNoCell);  // (3, 0, 4): above
   EXPECT_NE(bins.cell[2], BinnedPoints::kNoCell);  // (7, 0, 1): in front

@@ -31,27 +31,33 @@ TEST(Segment, ComparesWithTheThresholdOfTheCellsKind) {
   std::vector<Label> labels(5, Label::unknown);
   std::vector<float> heights(5);
   TileRunner runner(1);
-  CellLimits limits(map.cells());
+  CellLimits limits(map, runner);
   limits.choose_by_class(points.grid(), is_ground, map, config);
-  segment(points.bins(), limits, map, runner, labels, heights);
+  const LabelCounts counts = segment(points.bins(), limits, map, runner, labels, heights);
 
   EXPECT_EQ(labels, (std::vector<Label>{Label::ground, Label::obstacle, Label::ground,
                                         Label::ground, Label::obstacle}));
+  EXPECT_EQ(counts.ground, 3U);
+  EXPECT_EQ(counts.obstacle, 2U);
+  EXPECT_EQ(counts.outlier + counts.unknown, 0U);
   const std::vector<float> expected{0.299F, 0.301F, -3.5F, 0.099F, 0.101F};
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(heights[i], expected[i], 1e-5F);
 }
 
-TEST(Segment, LeavesOutliersAndPointsWithoutACellAlone) {
-  const ElevationMap map = flat_map(metre_grid(11));
+TEST(Segment, MeasuresOutliersFromTheMapAndPointsWithoutACellFromNothing) {
+  ElevationMap map = flat_map(metre_grid(11));
+  map.height()[7] = 0.25F;
   BinnedPoints bins;
-  bins.cell = {0, BinnedPoints::kNoCell};
+  bins.cell = {7 | BinnedPoints::kOutlier, BinnedPoints::kNoCell};
   bins.z = {-15000, 0};
-  std::vector<Label> labels{Label::outlier, Label::unknown};
+  std::vector<Label> labels(2, Label::ground);
   std::vector<float> heights(2);
   TileRunner runner(1);
-  segment(bins, CellLimits(map.cells()), map, runner, labels, heights);
+  const LabelCounts counts = segment(bins, CellLimits(map, runner), map, runner, labels, heights);
   EXPECT_EQ(labels, (std::vector<Label>{Label::outlier, Label::unknown}));
-  EXPECT_NEAR(heights[0], -1.5F, 1e-5F);
+  EXPECT_EQ(counts.outlier, 1U);
+  EXPECT_EQ(counts.unknown, 1U);
+  EXPECT_NEAR(heights[0], -1.75F, 1e-5F);
   EXPECT_TRUE(std::isnan(heights[1]));
 }
 

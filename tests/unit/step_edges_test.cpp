@@ -53,11 +53,10 @@ class StepEdgesOnGround : public ::testing::Test {
   /// Height up to which the points of a cell are ground; 0.5 m above the map unless lowered.
   float ground_up_to(int column, int row, int threads = 2) {
     TileRunner runner(threads);
-    const std::vector<Label> labels(points_->bins().cell.size(), Label::unknown);
     const std::vector<std::uint8_t> is_ground(map_.cells());
-    CellLimits limits(map_.cells());
+    CellLimits limits(map_, runner);
     limits.choose_by_class(points_->grid(), is_ground, map_, config_);
-    edges_.lower_limits(points_->bins(), labels, points_->grid(), config_, runner, limits);
+    edges_.lower_limits(points_->bins(), points_->grid(), config_, runner, limits);
     const CellLimit limit = limits.limits()[cell_index(map_, column, row)];
     return limit.level + limit.threshold;
   }

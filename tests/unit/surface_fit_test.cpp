@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,17 +20,21 @@ constexpr double kPlaneVariance_m2 = 0.25 * 0.0234 / (0.25 + 0.0234);
 
 class OneBlock : public ::testing::Test {
  protected:
-  OneBlock() : fit(5, 1.0), heights(25, 0.0F), deviations(25) {
+  OneBlock() : fit(5, 1.0, runner), heights(25, 0.0F), deviations(25) {
     heights[kMiddle] = 1.0F;
-    fit.add(kMiddle, 1.0F);
+    forget();
+    fit.heights()[kMiddle] = 1.0F;
+    fit.accept_all();
     fit.fit(heights, {});
   }
+  void forget() { std::fill(fit.heights().begin(), fit.heights().end(), kUnknownHeight); }
   double deviation(std::size_t cell) {
     fit.standard_deviation(heights, config, deviations);
     return static_cast<double>(deviations[cell]);
   }
 
   Config config;
+  TileRunner runner{1};
   SurfaceFit fit;
   std::vector<float> heights;
   std::vector<float> deviations;
@@ -53,21 +58,23 @@ TEST_F(OneBlock, TheSecondAskingSaysTheSame) {
   EXPECT_EQ(deviation(kMiddle), first);
 }
 
-TEST_F(OneBlock, ClearForgetsTheHeights) {
+TEST_F(OneBlock, UnknownHeightsCountForNothing) {
   EXPECT_TRUE(fit.is_ground(kMiddle));
-  fit.clear();
+  forget();
+  fit.accept_all();
   EXPECT_FALSE(fit.is_ground(kMiddle));
-  EXPECT_TRUE(fit.told().empty());
   fit.fit(heights, {});
   EXPECT_NEAR(deviation(kMiddle), std::sqrt(1.2 * 0.25 + 2.0), 1e-5);
 }
 
 TEST(SurfaceFit, DeviationsGrowWithTheDistanceFromWhatIsKnown) {
   constexpr int kSide = 61;
-  SurfaceFit fit(kSide, 0.33);
+  TileRunner runner(3);
+  SurfaceFit fit(kSide, 0.33, runner);
   std::vector<float> heights(std::size_t{kSide} * kSide, 0.0F);
-  for (std::uint32_t cell = 0; cell < heights.size(); ++cell)
-    if (cell % kSide < 10) fit.add(cell, 0.0F);
+  for (std::size_t cell = 0; cell < heights.size(); ++cell)
+    fit.heights()[cell] = cell % kSide < 10 ? 0.0F : kUnknownHeight;
+  fit.accept_all();
   fit.fit(heights, {});
   std::vector<float> deviations(heights.size());
   fit.standard_deviation(heights, Config{}, deviations);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/point_transform.hpp"
+#include "groundgrid/terrain_view.hpp"
+
+namespace groundgrid {
+
+/// What a cell adds to the sums over patches.
+struct WeightedCell {
+  float points = 0.0F;
+  float min_height = 0.0F;    ///< count · minimum, metres
+  float variance = 0.0F;      ///< count · variance, m²
+  float own_variance = 0.0F;  ///< m²
+};
+
+/// What the sums over a cell's 3×3 or 5×5 patch say; for every occupied cell.
+struct GroundCell {
+  float patch_points = 0.0F;     ///< ΣP.
+  float patch_elevation = 0.0F;  ///< Eq. 3, metres above the z origin.
+  float variance = 0.0F;         ///< The variance that was tested, m².
+  bool observed = false;         ///< Enough points to be judged at all.
+  bool ground = false;           ///< Classified as ground.
+};
+
+/// All that decides the class of a cell.
+struct ClassRule {
+  const WeightedCell* cells = nullptr;  ///< Of the window, row by row.
+  int size = 0;
+  float cell_size = 0.0F;
+  std::span<const Point3f> sensors{};
+  float patch_change_squared = 0.0F;  ///< m²; patches are 5×5 from there on.
+  float own_variance_points = 0.0F;   ///< From so many points on the own variance counts.
+  float variance_per_metre = 0.0F;    ///< Eq. 1.
+  float least_threshold = 0.0F;
+  float steepest_squared = 0.0F;  ///< Square of the steepest slope that is taken out.
+  /// Squares of the distances from which on 0, 1, … points are enough (eq. 2); as many points as
+  /// there are entries always are.
+  std::span<const float> enough_from{};
+};
+
+/// Weighted moments of occupied cells, written to their places in the window.
+void weigh_cells(std::span<const std::uint32_t> occupied, const CellStatistics* statistics,
+                 WeightedCell* cells);
+
+/// Classes of some occupied cells, ascending; element i of `answers` belongs to element i of them,
+/// is_ground is the window's.
+void classify_cells(std::span<const std::uint32_t> occupied, const ClassRule& rule,
+                    GroundCell* answers, std::uint8_t* is_ground);
+
+}  // namespace groundgrid
