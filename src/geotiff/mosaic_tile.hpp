@@ -32,6 +32,12 @@ struct MosaicTile {
 
   /// Adds one scan's cells, which lie in one row from (column, row) on.
   void add(std::size_t column, std::size_t row, const CellSpan& cells);
+
+ private:
+  void add_heights(std::size_t place, std::span<const float> relative_heights,
+                   std::span<const float> told, double z_origin_m);
+  void add_points(std::size_t place, std::span<const CellStatistics> statistics,
+                  std::span<const std::uint32_t> around);
 };
 
 }  // namespace groundgrid::geotiff

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geotiff/cell_range.hpp"
+#include "geotiff/raster_grid.hpp"
 #include "geotiff/terrain_raster.hpp"
 #include "geotiff/terrain_surface.hpp"
 
@@ -86,5 +87,18 @@ class TerrainBlock {
   CellRange cells_;
   std::vector<float> pixels_;
 };
+
+inline std::int64_t blocks_over(std::int64_t cells) {
+  return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;
+}
+
+/// The cells under a block of a raster, block row 0 in the north, counted from the raster's
+/// south-western corner; in the last block of a row or column some lie outside the raster.
+inline CellRange cells_of_block(const RasterGrid& grid, std::int64_t block_column,
+                                std::int64_t block_row) {
+  const std::int64_t column = block_column * TerrainBlock::kSide;
+  const std::int64_t end_row = grid.rows - block_row * TerrainBlock::kSide;
+  return {column, column + TerrainBlock::kSide, end_row - TerrainBlock::kSide, end_row};
+}
 
 }  // namespace groundgrid::geotiff

@@ -20,10 +20,6 @@ constexpr std::array<RasterBand, kTerrainBands> kBands{{{"height", "m"},
                                                         {"density", "1/m2"},
                                                         {"standard deviation", "m"}}};
 
-std::int64_t blocks_over(std::int64_t cells) {
-  return (cells + TerrainBlock::kSide - 1) / TerrainBlock::kSide;
-}
-
 void check_size(const std::filesystem::path& path, const RasterGrid& grid) {
   if (blocks_over(grid.columns) <= kMostBlocks / blocks_over(grid.rows)) return;
   throw io::Error({.file = path,
@@ -85,9 +81,7 @@ int TerrainFile::block_columns() const { return static_cast<int>(blocks_over(gri
 int TerrainFile::block_rows() const { return static_cast<int>(blocks_over(grid_.rows)); }
 
 CellRange TerrainFile::cells_of(int block_column, int block_row) const {
-  const std::int64_t column = std::int64_t{block_column} * TerrainBlock::kSide;
-  const std::int64_t end_row = grid_.rows - std::int64_t{block_row} * TerrainBlock::kSide;
-  return {column, column + TerrainBlock::kSide, end_row - TerrainBlock::kSide, end_row};
+  return cells_of_block(grid_, block_column, block_row);
 }
 
 void TerrainFile::write(int block_column, int block_row, TerrainBlock& block) {

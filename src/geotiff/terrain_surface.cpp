@@ -107,24 +107,42 @@ void TerrainSurface::make_room(const HeightWindow& window) {
   const std::int64_t side = longer + (longer + 1) % 2;
   if (side != side_) {
     side_ = side;
-    planes_.emplace(static_cast<int>(side), cell_size_m_);
+    planes_.emplace(static_cast<int>(side), cell_size_m_, runner_);
     const auto cells = static_cast<std::size_t>(side * side);
     heights_.resize(cells);
     deviations_.resize(cells);
+    surface_.resize(cells);
     near_.resize(cells);
   }
-  planes_->clear();
+  known_.clear();
+  std::fill(planes_->heights().begin(), planes_->heights().end(), kUnknownHeight);
   std::fill(heights_.begin(), heights_.end(), 0.0F);
 }
 
-/// Marks the cells that are so near to known ones that they may be filled.
+bool TerrainSurface::is_known(const HeightWindow& window, std::int64_t column,
+                              std::int64_t row) const {
+  return column >= window.cells.first_column && column < window.cells.end_column &&
+         row >= window.cells.first_row && row < window.cells.end_row &&
+         planes_->is_ground(static_cast<std::uint32_t>(in_square(window, column, row)));
+}
+
+/// Whether a known cell has a side that lies open. From one that has none every gap is farther than
+/// from one of its neighbours.
+bool TerrainSurface::is_rim(const HeightWindow& window, std::int64_t column,
+                            std::int64_t row) const {
+  return is_known(window, column, row) &&
+         !(is_known(window, column - 1, row) && is_known(window, column + 1, row) &&
+           is_known(window, column, row - 1) && is_known(window, column, row + 1));
+}
+
+/// Marks the gaps that are so near to known cells that they may be filled.
 void TerrainSurface::spread_known(const HeightWindow& window) {
   std::fill(near_.begin(), near_.end(), std::uint8_t{0});
   const auto reach = static_cast<std::int64_t>(fill_);
   for (std::int64_t row = window.cells.first_row; row < window.cells.end_row; ++row) {
     for (std::int64_t column = window.cells.first_column; column < window.cells.end_column;
          ++column) {
-      if (!planes_->is_ground(static_cast<std::uint32_t>(in_square(window, column, row)))) continue;
+      if (!is_rim(window, column, row)) continue;
       for (std::int64_t y = std::max(row - reach, window.cells.first_row);
            y <= std::min(row + reach, window.cells.end_row - 1); ++y) {
         const auto rows = static_cast<double>(y - row);
@@ -152,15 +170,20 @@ void TerrainSurface::fit(HeightWindow& window) {
     if (std::isnan(window.heights[own])) return;
     if (!base) base = window.heights[own];
     heights_[cell] = window.heights[own] - *base;
-    planes_->add(cell, heights_[cell]);
+    planes_->heights()[cell] = heights_[cell];
+    known_.push_back(cell);
   });
-  const LocalPlane top = plane_through(planes_->told(), heights_, side_, cell_size_m_);
-  if (completes_) planes_->reject_raised(top, config_);
+  const LocalPlane top = plane_through(known_, heights_, side_, cell_size_m_);
+  if (completes_)
+    planes_->reject_raised(top, config_);
+  else
+    planes_->accept_all();
   planes_->fit(heights_, top);
+  planes_->evaluate(surface_);
   spread_known(window);
   for_each_cell([&](std::size_t own, std::uint32_t cell) {
     if (planes_->is_ground(cell)) return;
-    heights_[cell] = planes_->surface()[cell];
+    heights_[cell] = surface_[cell];
     window.heights[own] = near_[cell] != 0 ? heights_[cell] + *base : std::nanf("");
   });
   planes_->standard_deviation(heights_, config_, deviations_);

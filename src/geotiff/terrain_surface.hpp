@@ -56,6 +56,10 @@ class TerrainSurface {
                                std::int64_t row) const;
   void remove_raised(HeightWindow& window) const;
   void fit(HeightWindow& window);
+  [[nodiscard]] bool is_known(const HeightWindow& window, std::int64_t column,
+                              std::int64_t row) const;
+  [[nodiscard]] bool is_rim(const HeightWindow& window, std::int64_t column,
+                            std::int64_t row) const;
   void spread_known(const HeightWindow& window);
   void make_room(const HeightWindow& window);
   [[nodiscard]] std::size_t in_square(const HeightWindow& window, std::int64_t column,
@@ -72,10 +76,13 @@ class TerrainSurface {
   double fill_ = 0.0;       // cells
   // The window as a square of an odd number of cells, as planes want it.
   std::int64_t side_ = 0;
+  TileRunner runner_{1};
   std::optional<SurfaceFit> planes_;
-  std::vector<float> heights_;  // above the first known one
+  std::vector<float> heights_;        // above the first known one
+  std::vector<std::uint32_t> known_;  // cells of the square with a height, ascending
   std::vector<float> deviations_;
-  std::vector<std::uint8_t> near_;  // whether within `fill_` of a known cell
+  std::vector<float> surface_;
+  std::vector<std::uint8_t> near_;  // of gaps: whether within `fill_` of a known cell
 };
 
 }  // namespace groundgrid::geotiff

@@ -10,7 +10,9 @@ namespace groundgrid::io {
 namespace {
 
 // The names of files and what stands in them may hold anything, but shall not steer a terminal.
-bool is_control(char letter) { return (letter >= 0 && letter < ' ') || letter == '\x7f'; }
+bool is_control(char letter) {
+  return static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
+}
 
 std::string sentence(const ErrorDetails& details) {
   std::string text = details.file.string();

@@ -12,20 +12,6 @@ namespace groundgrid::io {
 
 static_assert(std::endian::native == std::endian::little, "labels are read as they lie on disk");
 
-std::uint32_t semantic_kitti_label(Label label) {
-  switch (label) {
-    case Label::ground:
-      return 40;
-    case Label::obstacle:
-      return 99;
-    case Label::outlier:
-      return 1;
-    case Label::unknown:
-      break;
-  }
-  return 0;
-}
-
 void read_labels(const std::filesystem::path& path, const std::filesystem::path& scan,
                  std::size_t points, std::vector<std::uint32_t>& labels) {
   constexpr std::size_t kBytesPerLabel = sizeof(std::uint32_t);

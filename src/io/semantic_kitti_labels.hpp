@@ -16,7 +16,12 @@ constexpr std::uint16_t semantic_kitti_class(std::uint32_t label) {
 }
 
 /// What we write for an answer: 40 ground, 99 obstacle, 1 outlier, 0 unknown.
-std::uint32_t semantic_kitti_label(Label label);
+constexpr std::uint32_t semantic_kitti_label(Label label) {
+  // Choices that compilers make for many labels at once, as they do not for a switch.
+  const std::uint32_t if_no_ground = label == Label::obstacle ? 99 : 0;
+  const std::uint32_t if_no_outlier = label == Label::ground ? 40 : if_no_ground;
+  return label == Label::outlier ? 1 : if_no_outlier;
+}
 
 /// Reads a .label file (one little-endian 32-bit number per point) into `labels`, whose memory is
 /// reused. Throws Error where the file cannot be read or does not hold exactly `points` labels,

@@ -120,8 +120,9 @@ void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   slot.labels.resize(result.labels.size());
   std::transform(result.labels.begin(), result.labels.end(), slot.labels.begin(),
                  io::semantic_kitti_label);
-  slot.height_above_ground.assign(result.height_above_ground.begin(),
-                                  result.height_above_ground.end());
+  if (keeps_heights_)
+    slot.height_above_ground.assign(result.height_above_ground.begin(),
+                                    result.height_above_ground.end());
 }
 
 }  // namespace groundgrid::program

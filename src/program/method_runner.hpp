@@ -41,6 +41,9 @@ class MethodRunner {
     layers_.emplace();
   }
 
+  /// From now on heights above the ground stay in the slots, too.
+  void keep_heights() { keeps_heights_ = true; }
+
   /// After the last scan; null unless they are to be made.
   [[nodiscard]] const TerrainLayers* layers() const { return layers_ ? &*layers_ : nullptr; }
 
@@ -60,6 +63,7 @@ class MethodRunner {
   MethodNotes notes_;
   TraversabilityLimits limits_;
   std::optional<TerrainLayers> layers_;
+  bool keeps_heights_ = false;
 };
 
 }  // namespace groundgrid::program

@@ -2,26 +2,20 @@
 
 #include <cstddef>
 #include <exception>
-#include <future>
 #include <utility>
+
+#include "program/worker_thread.hpp"
 
 namespace groundgrid::program {
 namespace {
 
-std::future<void> start(const PipelineSteps::Step& step, const io::ScanFile& scan, ScanSlot& slot) {
-  return std::async(std::launch::async, [&step, &scan, &slot] { step(scan, slot); });
-}
-
-std::future<void> start_reading(const PipelineSteps& steps, const io::ScanFile& scan,
-                                ScanSlot& slot) {
-  return std::async(std::launch::async, [&steps, &scan, &slot] {
-    slot.problem = nullptr;
-    try {
-      steps.read(scan, slot);
-    } catch (...) {
-      slot.problem = std::current_exception();
-    }
-  });
+void read_or_note(const PipelineSteps& steps, const io::ScanFile& scan, ScanSlot& slot) {
+  slot.problem = nullptr;
+  try {
+    steps.read(scan, slot);
+  } catch (...) {
+    slot.problem = std::current_exception();
+  }
 }
 
 // The scan that is being written, if any.
@@ -33,13 +27,13 @@ class Writing {
     end();
     scan_ = &scan;
     slot_ = &slot;
-    written_ = steps_.write ? start(steps_.write, scan, slot) : std::future<void>{};
+    if (steps_.write) thread_.start([this, &scan, &slot] { steps_.write(scan, slot); });
   }
 
   void end() {
     if (scan_ == nullptr) return;
     const io::ScanFile& scan = *std::exchange(scan_, nullptr);
-    if (written_.valid()) written_.get();
+    thread_.wait();
     if (steps_.done) steps_.done(scan, *slot_);
   }
 
@@ -47,7 +41,7 @@ class Writing {
   const PipelineSteps& steps_;
   const io::ScanFile* scan_ = nullptr;
   ScanSlot* slot_ = nullptr;
-  std::future<void> written_;
+  WorkerThread thread_;
 };
 
 }  // namespace
@@ -55,13 +49,18 @@ class Writing {
 void ScanPipeline::run(std::span<const io::ScanFile> scans, const PipelineSteps& steps) {
   if (scans.empty()) return;
   Writing writing(steps);
-  std::future<void> reading = start_reading(steps, scans.front(), slots_.front());
+  WorkerThread reading;
+  const auto start_reading = [&](std::size_t i) {
+    reading.start([&steps, &scan = scans[i], &slot = slots_[i % slots_.size()]] {
+      read_or_note(steps, scan, slot);
+    });
+  };
+  start_reading(0);
   for (std::size_t i = 0; i < scans.size(); ++i) {
     ScanSlot& slot = slots_[i % slots_.size()];
-    reading.get();
+    reading.wait();
     // The slot of the next scan is free: what was in it two scans ago has been written.
-    if (i + 1 < scans.size())
-      reading = start_reading(steps, scans[i + 1], slots_[(i + 1) % slots_.size()]);
+    if (i + 1 < scans.size()) start_reading(i + 1);
     bool goes_on = false;
     try {
       goes_on = steps.process(scans[i], slot);

@@ -18,7 +18,7 @@ struct ScanSlot {
   std::vector<float> coordinates{};  ///< Where the cloud's own cannot be used as they are.
   PointView points{};                ///< In the frame of the levelled LiDAR.
   std::exception_ptr problem{};      ///< Why there is no cloud.
-  // Filled by processing; one element a point.
+  // Filled by processing; one element a point, but heights only where they are to be kept.
   std::vector<std::uint32_t> labels{};       ///< SemanticKITTI numbers.
   std::vector<float> height_above_ground{};  ///< Metres; NaN where unknown.
   LabelCounts counts{};

@@ -32,7 +32,7 @@ ScanWriter::ScanWriter(const fs::path& output, const io::ScanSequence& sequence,
 
 void ScanWriter::make_folders() const {
   make_folder(label_folder_);
-  if (clouds_ != CloudOutput::none) make_folder(cloud_folder_);
+  if (writes_clouds()) make_folder(cloud_folder_);
 }
 
 fs::path ScanWriter::label_path(const io::ScanFile& scan) const {
@@ -51,7 +51,7 @@ fs::path ScanWriter::cloud_path(const io::ScanFile& scan) const {
 void ScanWriter::check() const {
   for (const io::ScanFile& scan : sequence_->scans) {
     require_other_file(scan, label_path(scan));
-    if (clouds_ == CloudOutput::none) continue;
+    if (!writes_clouds()) continue;
     const io::ScanFormat format = cloud_format(scan);
     if (format != io::ScanFormat::pcd && format != io::ScanFormat::ply)
       throw UsageError(
@@ -63,7 +63,7 @@ void ScanWriter::check() const {
 
 void ScanWriter::write(const io::ScanFile& scan, const ScanSlot& slot) const {
   io::write_labels(label_path(scan), slot.labels);
-  if (clouds_ == CloudOutput::none) return;
+  if (!writes_clouds()) return;
   io::write_labelled_cloud(cloud_path(scan), cloud_format(scan), slot.cloud, slot.labels,
                            slot.height_above_ground);
 }

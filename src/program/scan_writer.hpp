@@ -28,6 +28,9 @@ class ScanWriter {
   /// overwritten by what is written for it.
   void check() const;
 
+  /// Whether heights above the ground are written, too.
+  [[nodiscard]] bool writes_clouds() const { return clouds_ != CloudOutput::none; }
+
   /// Makes the folders. Throws io::Error.
   void make_folders() const;
 

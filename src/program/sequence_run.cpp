@@ -26,6 +26,7 @@ SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequ
   if (context.options.terrain.wanted())
     terrain_.emplace(context.options.output, sequence, context.record.single_scan,
                      context.options.terrain);
+  if (writer_.writes_clouds()) runner_.keep_heights();
   if (context.options.terrain.layers_wanted())
     runner_.make_layers(context.options.terrain.limits());
 }

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <future>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -67,6 +68,25 @@ TEST(ScanPipeline, DoesNothingWithoutScans) {
   Notes notes;
   ScanPipeline().run({}, notes.steps());
   EXPECT_EQ(notes.read, Numbers{});
+}
+
+TEST(ScanPipeline, ReadsOnOneThreadAndWritesOnAnother) {
+  std::set<std::thread::id> reading;
+  std::set<std::thread::id> writing;
+  PipelineSteps steps;
+  steps.read = [&](const io::ScanFile& /*scan*/, ScanSlot& /*slot*/) {
+    reading.insert(std::this_thread::get_id());
+  };
+  steps.process = [](const io::ScanFile& /*scan*/, ScanSlot& /*slot*/) { return true; };
+  steps.write = [&](const io::ScanFile& /*scan*/, ScanSlot& /*slot*/) {
+    writing.insert(std::this_thread::get_id());
+  };
+  ScanPipeline().run(numbered_scans(10), steps);
+  EXPECT_EQ(reading.size(), 1U);
+  EXPECT_EQ(writing.size(), 1U);
+  EXPECT_NE(reading, writing);
+  EXPECT_FALSE(reading.contains(std::this_thread::get_id()));
+  EXPECT_FALSE(writing.contains(std::this_thread::get_id()));
 }
 
 TEST(ScanPipeline, ReadsTheNextScanAndWritesTheLastWhileOneIsProcessed) {
