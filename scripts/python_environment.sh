@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# python_environment.sh FOLDER: a virtual environment with what building and testing the Python
-# package needs. Where it is there already and pyproject.toml is not newer, nothing is done.
+# python_environment.sh FOLDER EXTRA...: a virtual environment with what building and testing the
+# Python package with these extras needs. Where it is there already and pyproject.toml is not newer,
+# nothing is done.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=$1
+shift
 
 if [[ -e $folder/complete && ! pyproject.toml -nt $folder/complete ]]; then exit 0; fi
 
@@ -11,15 +13,27 @@ if [[ -e $folder/complete && ! pyproject.toml -nt $folder/complete ]]; then exit
 python3=/usr/bin/python3
 [[ -x $python3 ]] || python3=python3
 "$python3" -m venv "$folder"
-mapfile -t packages < <("$python3" - <<'PYTHON'
+mapfile -t packages < <("$python3" - "$@" <<'PYTHON'
+import re
+import sys
 import tomllib
+
 with open("pyproject.toml", "rb") as file:
     content = tomllib.load(file)
 project = content["project"]
-extras = project["optional-dependencies"].values()
-packages = content["build-system"]["requires"] + project["dependencies"] + sum(extras, [])
-# The package itself is what is built.
-print(*(each for each in packages if not each.startswith(project["name"])), sep="\n")
+extras = project["optional-dependencies"]
+
+
+def packages(names):
+    for name in names:
+        for each in extras[name]:
+            # Those of the package itself stand for other extras.
+            own = re.fullmatch(project["name"] + r"\[(.*)\]", each)
+            yield from packages(own[1].split(",")) if own else [each]
+
+
+build = content["build-system"]["requires"] if "test" in sys.argv else []
+print(*build, *project["dependencies"], *packages(sys.argv[1:]), sep="\n")
 PYTHON
 )
 "$folder/bin/pip" install --quiet --disable-pip-version-check "${packages[@]}"

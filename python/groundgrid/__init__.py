@@ -11,7 +11,7 @@ terrains, `groundgrid.simulation` drives LiDARs through made-up worlds whose lab
 known exactly.
 """
 
-from . import datasets, evaluation, simulation
+from . import datasets, evaluation, rasters, simulation, viewer
 from ._core import (
     Config,
     GroundGrid,
@@ -20,6 +20,9 @@ from ._core import (
     ScanResult,
     SensorScan,
     Terrain,
+    TerrainLayers,
+    Traversability,
+    TraversabilityLimits,
     estimate_sensor_height,
     parameters,
 )
@@ -33,10 +36,15 @@ __all__ = [
     "ScanResult",
     "SensorScan",
     "Terrain",
+    "TerrainLayers",
+    "Traversability",
+    "TraversabilityLimits",
     "__version__",
     "datasets",
     "estimate_sensor_height",
     "evaluation",
     "parameters",
+    "rasters",
     "simulation",
+    "viewer",
 ]

@@ -14,9 +14,12 @@ void bind_label(nb::module_& module);
 void bind_config(nb::module_& module);
 void bind_terrain(nb::module_& module);
 void bind_ground_grid(nb::module_& module);
+void bind_terrain_layers(nb::module_& module);
+void bind_drive_terrain(nb::module_& module);
 void bind_segmentation_metrics(nb::module_& module);
 void bind_terrain_metrics(nb::module_& module);
 void bind_simulation(nb::module_& module);
 void bind_scan_files(nb::module_& module);
+void bind_cloud_files(nb::module_& module);
 
 }  // namespace groundgrid::python

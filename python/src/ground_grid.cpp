@@ -4,7 +4,6 @@
 #include <nanobind/stl/vector.h>
 
 #include <cstddef>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "config_values.hpp"
 #include "output_arrays.hpp"
 #include "scan_arrays.hpp"
+#include "shared_grid.hpp"
 #include "terrain.hpp"
 
 namespace groundgrid::python {
@@ -25,43 +25,6 @@ struct ArrayResult {
   nb::object labels;
   nb::object height_above_ground;
   ScanResult result;
-};
-
-struct Poses {
-  Eigen::Isometry3d begin;
-  Eigen::Isometry3d end;
-};
-
-/// One map, whose callers take turns: Python's threads run while it works.
-class SharedGrid {
- public:
-  explicit SharedGrid(const Config& config) : grid_(config) {}
-
-  ScanResult process(const ScanArrays& scans, const Poses& poses, const ScanOutput& output) {
-    const nb::gil_scoped_release no_gil;
-    const std::lock_guard turn(mutex_);
-    return grid_.process(scans.views(copies_), poses.begin, poses.end, output);
-  }
-
-  TerrainLayers terrain() {
-    const nb::gil_scoped_release no_gil;
-    const std::lock_guard turn(mutex_);
-    return {grid_.terrain(), grid_.standard_deviation()};
-  }
-
-  void reset() {
-    const nb::gil_scoped_release no_gil;
-    const std::lock_guard turn(mutex_);
-    grid_.reset();
-  }
-
-  /// Never changes.
-  [[nodiscard]] const Config& config() const { return grid_.config(); }
-
- private:
-  std::mutex mutex_;
-  GroundGrid grid_;
-  std::vector<std::vector<std::byte>> copies_;  ///< Reused from call to call.
 };
 
 ArrayResult process_scans(SharedGrid& self, const std::vector<ScanArguments>& arguments,
@@ -213,7 +176,12 @@ void bind_grid(nb::module_& module) {
   grid.def("reset", &SharedGrid::reset,
            "Forgets the map, its lattice's anchor and the estimated sensor height.");
   grid.def_prop_ro(
-      "terrain", [](SharedGrid& self) { return Terrain(self.terrain()); },
+      "terrain",
+      [](SharedGrid& self) {
+        return Terrain(self.visit([](const GroundGrid& map) {
+          return TerrainCopy(map.terrain(), map.standard_deviation());
+        }));
+      },
       "A copy of the map as it stands after the last scan.");
   grid.def_prop_ro(
       "config", [](const SharedGrid& self) { return Config(self.config()); },

@@ -9,8 +9,11 @@ NB_MODULE(_core, module) {
   bind_config(module);
   bind_terrain(module);
   bind_ground_grid(module);
+  bind_terrain_layers(module);
+  bind_drive_terrain(module);
   bind_segmentation_metrics(module);
   bind_terrain_metrics(module);
   bind_simulation(module);
   bind_scan_files(module);
+  bind_cloud_files(module);
 }

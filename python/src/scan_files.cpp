@@ -11,7 +11,9 @@
 
 #include "array_output.hpp"
 #include "bindings.hpp"
+#include "file_path.hpp"
 #include "io/path_checks.hpp"
+#include "io/pose_file.hpp"
 #include "io/scan_file.hpp"
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
@@ -21,10 +23,6 @@ namespace groundgrid::python {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path path_from(nb::handle path) {
-  return nb::cast<std::string>(nb::module_::import_("os").attr("fsdecode")(path));
-}
 
 std::optional<io::ScanFormat> format_named(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
@@ -79,6 +77,14 @@ nb::object read_poses(const io::ScanSequence& sequence, nb::handle poses, nb::ha
   return found ? to_array(std::span(*found)) : nb::none();
 }
 
+nb::tuple read_pose_file(nb::handle path) {
+  io::PoseList list = io::read_pose_file(path_from(path));
+  const std::size_t count = list.times.size();
+  nb::object times = nb::none();
+  if (count > 0) times = to_array(std::move(list.times), {count});
+  return nb::make_tuple(to_array(std::span<const Eigen::Isometry3d>(list.poses)), times);
+}
+
 nb::object read_labels(const io::ScanSequence& sequence, const io::ScanFile& scan,
                        std::size_t points) {
   const fs::path file = sequence.labels() / (scan.name + ".label");
@@ -113,6 +119,12 @@ void bind_scan_files(nb::module_& module) {
                      "calibration: str | os.PathLike[str] | None) -> "
                      "numpy.typing.NDArray[numpy.float64] | None"),
              "T_map_lidar at each scan; None where there are no poses.");
+  module.def("read_pose_file", &read_pose_file, nb::arg("path"),
+             nb::sig("def read_pose_file(path: str | os.PathLike[str]) -> tuple["
+                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64] | "
+                     "None]"),
+             "The poses of a file in KITTI's or TUM's form, and their times, seconds, in the "
+             "latter.");
   module.def("read_labels", &read_labels, nb::arg("sequence"), nb::arg("scan"), nb::arg("points"),
              nb::sig("def read_labels(sequence: ScanSequence, scan: ScanFile, points: int) -> "
                      "numpy.typing.NDArray[numpy.uint32] | None"),

@@ -11,6 +11,7 @@ namespace {
 /// Middles of so many cells in a row.
 std::vector<double> middles(int cells, double min, double cell_size) {
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(cells));
   for (int i = 0; i < cells; ++i) places.push_back(min + (i + 0.5) * cell_size);
   return places;
 }
@@ -33,7 +34,7 @@ nb::tuple extent_of(const Terrain& terrain) {
 
 }  // namespace
 
-TerrainLayers::TerrainLayers(const TerrainView& view, std::span<const float> standard_deviation_m)
+TerrainCopy::TerrainCopy(const TerrainView& view, std::span<const float> standard_deviation_m)
     : size(view.size),
       cell_size_m(view.cell_size_m),
       min_x_m(view.min_x_m),
@@ -57,7 +58,7 @@ TerrainLayers::TerrainLayers(const TerrainView& view, std::span<const float> sta
     }
 }
 
-Terrain::Terrain(TerrainLayers layers)
+Terrain::Terrain(TerrainCopy layers)
     : size(layers.size),
       cell_size_m(layers.cell_size_m),
       min_x_m(layers.min_x_m),

@@ -14,8 +14,8 @@ namespace groundgrid::python {
 namespace nb = nanobind;
 
 /// The layers of a map at one moment. Taken without the GIL.
-struct TerrainLayers {
-  TerrainLayers(const TerrainView& view, std::span<const float> standard_deviation_m);
+struct TerrainCopy {
+  TerrainCopy(const TerrainView& view, std::span<const float> standard_deviation_m);
 
   int size;
   double cell_size_m;
@@ -32,7 +32,7 @@ struct TerrainLayers {
 
 /// The same as Python has it: arrays that nothing else writes to.
 struct Terrain {
-  explicit Terrain(TerrainLayers layers);
+  explicit Terrain(TerrainCopy layers);
 
   int size;
   double cell_size_m;

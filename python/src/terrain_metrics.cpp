@@ -90,7 +90,7 @@ nb::object compare(nb::handle estimated, nb::handle reference, double cell_size_
   if (counts) layers.count = counts->as_floats();
   std::vector<PackedArray> held;
   for (const auto& [name, mask] : masks) {
-    std::string text = nb::cast<std::string>(nb::str(name));
+    auto text = nb::cast<std::string>(nb::str(name));
     held.push_back(PackedArray::floats(mask, text.c_str()));
     require_shape(held.back(), text.c_str(), lattice);
     layers.masks.push_back({std::move(text), held.back().as_floats()});

@@ -6,6 +6,7 @@ import pytest
 
 import groundgrid
 from groundgrid.datasets import FileDataset
+from groundgrid.datasets.extras import require
 
 POINTS = np.arange(20, dtype=np.float32).reshape(5, 4)
 
@@ -38,6 +39,7 @@ def test_reads_semantic_kitti(tmp_path):
 def test_one_of_several_sequences_is_to_be_named(tmp_path):
     write_kitti(tmp_path / "sequences" / "00")
     write_kitti(tmp_path / "sequences" / "01", names=("000007",))
+    assert groundgrid.datasets.sequence_names(tmp_path) == ["00", "01"]
     with pytest.raises(ValueError, match="choose one by sequence=: 00, 01"):
         groundgrid.datasets.open(tmp_path)
     with pytest.raises(ValueError):  # poses.txt has no line 8
@@ -117,4 +119,18 @@ def test_a_missing_extra_names_the_line_that_installs_it(tmp_path):
         f"groundgrid.datasets.open({str(tmp_path / 'drive.bag')!r})\n"
     )
     result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
-    assert "pip install 'groundgrid[bags]'" in result.stderr
+    assert "pip install 'groundgrid[bags]'\n" in result.stderr
+
+
+def test_what_a_package_lacks_is_said(tmp_path, monkeypatch):
+    (tmp_path / "broken_package.py").write_text("raise ImportError('libGL.so.1: not there')\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    words = "reading needs broken_package, which cannot be loaded: libGL.so.1: not there"
+    with pytest.raises(ImportError, match=words):
+        require("broken_package", "bags", "reading")
+
+
+def test_what_must_be_installed_alone_is_said_so(monkeypatch):
+    monkeypatch.setitem(sys.modules, "ouster.sdk", None)
+    with pytest.raises(ImportError, match=r"'groundgrid\[ouster\]', in a virtual environment of"):
+        require("ouster.sdk", "ouster", "reading an Ouster capture")

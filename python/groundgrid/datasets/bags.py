@@ -47,7 +47,7 @@ class BagDataset:
     ) -> None:
         self._path = Path(path)
         self._frame = frame
-        with self._open() as reader:
+        with self.reader() as reader:
             clouds = {each.topic for each in reader.connections if each.msgtype == CLOUD}
             self.topic: str = self._choose(sorted(clouds), topic)
             wanted = [each for each in reader.connections if each.topic == self.topic]
@@ -55,7 +55,8 @@ class BagDataset:
             self._frames = self._read_frames(reader, odometry)
 
     @contextmanager
-    def _open(self) -> Iterator[Any]:
+    def reader(self) -> Iterator[Any]:
+        """rosbags' AnyReader of the whole recording; its errors are ValueError."""
         anyreader = require("rosbags.highlevel", "bags", "reading a recording")
         typesys = require("rosbags.typesys", "bags", "reading a recording")
         if not self._path.exists():
@@ -118,7 +119,7 @@ class BagDataset:
         return self._count
 
     def __iter__(self) -> Iterator[Scan]:
-        with self._open() as reader:
+        with self.reader() as reader:
             wanted = [each for each in reader.connections if each.topic == self.topic]
             for index, (connection, _, raw) in enumerate(reader.messages(connections=wanted)):
                 yield self._scan(index, reader.deserialize(raw, connection.msgtype))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,10 @@ class Scan:
 
     fields: Mapping[str, npt.NDArray[Any]] = field(default_factory=dict)
     """Every number of the points as the source has it, by name: "ring", "t", ..."""
+
+    def at(self, pose: npt.NDArray[np.float64] | None) -> Scan:
+        """The same scan with another pose."""
+        return replace(self, pose=pose)
 
 
 def points_of(fields: Mapping[str, npt.NDArray[Any]], count: int) -> npt.NDArray[np.float32]:

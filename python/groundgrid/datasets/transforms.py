@@ -37,6 +37,20 @@ def matrix_of(position: Vector, quaternion: Vector) -> Matrix:
     return matrix
 
 
+def quaternion_from(matrix: Matrix) -> Vector:
+    """x, y, z, w of the rotation of a rigid transform."""
+    (a, b, c), (d, e, f), (g, h, i) = matrix[:3, :3]
+    # The quaternion is the eigenvector of the greatest eigenvalue, whatever the angle.
+    symmetric = np.array([
+        [a - e - i, d + b, g + c, h - f],
+        [d + b, e - a - i, h + f, c - g],
+        [g + c, h + f, i - a - e, d - b],
+        [h - f, c - g, d - b, a + e + i],
+    ])
+    quaternion: Vector = np.linalg.eigh(symmetric)[1][:, -1]
+    return quaternion
+
+
 def between(first: Vector, second: Vector, share: float) -> Vector:
     """A rotation between two, about one axis at one speed."""
     cosine = float(first @ second)
@@ -60,6 +74,10 @@ class Track:
     def add(self, time_ns: int, position: Any, orientation: Any) -> None:
         place = np.array([position.x, position.y, position.z], np.float64)
         self._poses[time_ns] = place, quaternion_of(orientation)
+        self._times = []
+
+    def add_matrix(self, time_ns: int, matrix: Matrix) -> None:
+        self._poses[time_ns] = matrix[:3, 3], quaternion_from(matrix)
         self._times = []
 
     def at(self, time_ns: int) -> Matrix | None:

@@ -1,0 +1,90 @@
+"""Labelled clouds: PCD and PLY with all fields of the scan, and LAS."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .._core import Label, ScanResult, write_cloud
+from ..datasets import LasDataset, Scan
+from ..datasets.extras import require
+from ..datasets.las_units import las_errors
+from ..evaluation import to_semantic_kitti
+from ..output_files import hidden_file
+
+# ASPRS: never classified, ground, unclassified, low noise.
+ASPRS = {Label.UNKNOWN: 0, Label.GROUND: 2, Label.OBSTACLE: 1, Label.OUTLIER: 7}
+LAS_STEP_M = 0.001
+# What takes the place of types that clouds have not.
+FILE_TYPES = {"b1": np.dtype("u1"), "f2": np.dtype("f4")}
+Fields = Mapping[str, npt.NDArray[Any]]
+
+
+def records_of(fields: Fields) -> npt.NDArray[Any]:
+    """Packed records with all fields, in their order."""
+    types = [(name, FILE_TYPES.get(array.dtype.str[1:], array.dtype.newbyteorder("=")),
+              array.shape[1:]) for name, array in fields.items()]
+    records = np.zeros(len(next(iter(fields.values()))), types)
+    for name, array in fields.items():
+        records[name] = array
+    return records
+
+
+def write_pcl(path: Path, scan: Scan, result: ScanResult) -> None:
+    """A PCD or PLY file, by its ending; complete or not at all."""
+    records = records_of(scan.fields)
+    assert records.dtype.names is not None
+    fields = []
+    for name in records.dtype.names:
+        kind = records.dtype[name]
+        fields.append((name, str(kind.base), int(np.prod(kind.shape, dtype=int))))
+    write_cloud(path, path.suffix[1:], fields, records.view(np.uint8).reshape(len(records), -1),
+                to_semantic_kitti(result.labels), result.height_above_ground)
+
+
+def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -> None:
+    """A LAS or LAZ file with the ASPRS classes; complete or not at all.
+
+    That of a LAS file is the same file with other classes; of other scans points are in the map
+    frame where the pose is known, else in the sensor's, and those that are not finite are left out.
+    """
+    laspy = require("laspy", "geo", "writing LAS")
+    classes = np.zeros(len(result.labels), np.uint8)
+    for label, number in ASPRS.items():
+        classes[result.labels == label] = number
+    heights = result.height_above_ground
+    if source is not None:
+        with las_errors(source):
+            las = laspy.read(source)
+    else:
+        finite = np.isfinite(scan.points[:, :3]).all(axis=1)
+        las = new_las(laspy, scan.points[finite], scan.pose)
+        classes, heights = classes[finite], heights[finite]
+    if "height_above_ground" not in las.point_format.dimension_names:
+        las.add_extra_dim(laspy.ExtraBytesParams("height_above_ground", "float32", "metres"))
+    las.classification = classes
+    las.height_above_ground = heights
+    with hidden_file(path) as hidden:
+        las.write(hidden)
+
+
+def new_las(laspy: Any, points: npt.NDArray[np.float32], pose: npt.NDArray[Any] | None) -> Any:
+    places = points[:, :3].astype(np.float64)
+    if pose is not None:
+        places = places @ pose[:3, :3].T + pose[:3, 3]
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales = np.full(3, LAS_STEP_M)
+    header.offsets = np.floor(places.mean(axis=0)) if len(places) else np.zeros(3)
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = places.T
+    las.intensity = np.clip(np.nan_to_num(points[:, 3]), 0, 65535).astype(np.uint16)
+    return las
+
+
+def source_of(dataset: object, number: int) -> Path | None:
+    """The LAS file that the scan of this number is."""
+    return dataset.files[number] if isinstance(dataset, LasDataset) else None

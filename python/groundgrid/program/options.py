@@ -1,0 +1,106 @@
+"""What the commands have in common: the input, the method, the progress bar."""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import operator
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from tqdm import tqdm
+
+from .. import datasets
+from .._core import Config, parameters
+from ..datasets import Dataset, Scan
+
+# Options of loaders, by the name that the loader has for them.
+LOADER_OPTIONS = {
+    "sequence": "one of a dataset's sequences",
+    "poses": "poses of the sensor, in KITTI's or TUM's form",
+    "calibration": "calib.txt of camera poses, or a Velodyne's .yml",
+    "topic": "that of a recording's clouds",
+    "frame": "of a recording, that poses are in",
+    "odometry": "topic of a recording to take poses from",
+    "metadata": ".json of an Ouster",
+    "model": "of a Velodyne",
+}
+
+
+def add_input(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("input", metavar="INPUT", type=Path,
+                        help="a dataset, a folder of scans, a scan or a recording")
+    group = parser.add_argument_group("input")
+    for name, text in LOADER_OPTIONS.items():
+        group.add_argument(f"--{name}", help=text)
+    group.add_argument("--scans", type=positive, metavar="N", help="only the first N")
+
+
+def add_method(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("method")
+    group.add_argument("--sensor-height-m", type=float, metavar="H",
+                       help="of the sensor over the ground; else told by the first scan")
+    group.add_argument("--preset", choices=("default", "paper"), default="default")
+    group.add_argument("--config", type=Path, metavar="FILE.toml", help="parameters")
+    group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE",
+                       help="one parameter; may be repeated")
+    group.add_argument("--threads", type=positive, metavar="N")
+
+
+def positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise ValueError
+    return number
+
+
+def open_input(options: argparse.Namespace) -> Dataset:
+    """Raises ValueError where the loader has no such option."""
+    given = {name: getattr(options, name) for name in LOADER_OPTIONS if getattr(options, name)}
+    try:
+        return datasets.open(options.input, **given)
+    except TypeError as error:
+        names = ", ".join(f"--{name}" for name in given)
+        raise ValueError(f"{options.input}: expected options that this kind of input has, got "
+                         f"{names}: {error}") from error
+
+
+def config_of(options: argparse.Namespace, **more: Any) -> Config:
+    """Raises ValueError for parameters that there are not, or out of range."""
+    config = Config.paper() if options.preset == "paper" else Config()
+    if options.config is not None:
+        config = Config.from_toml(options.config, preset=options.preset)
+    known = {parameter.name for parameter in parameters()}
+    values: dict[str, Any] = {}
+    for given in options.set:
+        name, sign, text = given.partition("=")
+        if name not in known or not sign:
+            raise ValueError(f"--set: expected NAME=VALUE with a parameter's name, got {given!r}")
+        values[name] = value_of(text)
+    if options.sensor_height_m is not None:
+        values["sensor_height_m"] = options.sensor_height_m
+    if options.threads is not None:
+        values["threads"] = options.threads
+    return config.replace(**(values | more))
+
+
+def value_of(text: str) -> Any:
+    try:
+        return ast.literal_eval({"true": "True", "false": "False"}.get(text, text))
+    except (ValueError, SyntaxError):
+        return text
+
+
+def scans_of(dataset: Dataset, options: argparse.Namespace) -> Iterator[Scan]:
+    """The scans, with a progress bar where somebody may look at it."""
+    total = operator.length_hint(dataset, 0)
+    if options.scans is not None:
+        total = min(total, options.scans) if total else options.scans
+    bar = tqdm(total=total or None, unit="scan", leave=False, disable=None)
+    with bar:
+        for number, scan in enumerate(dataset):
+            if options.scans is not None and number >= options.scans:
+                return
+            yield scan
+            bar.update()

@@ -1,0 +1,144 @@
+"""groundgrid-py run: labels, labelled clouds, the terrain and a labelled recording."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .. import __version__
+from .._core import GroundGrid, Label, ScanResult, write_labels
+from ..datasets import BagDataset, Dataset, FileDataset, Scan
+from ..evaluation import to_semantic_kitti
+from ..output_files import hidden_file
+from ..rasters import TerrainMosaic
+from .clouds import source_of, write_las, write_pcl
+from .labelled_bag import LabelledBag, labelled_bag
+from .options import add_input, add_method, config_of, open_input, scans_of
+
+CLOUDS = ("pcd", "ply", "las", "laz")
+
+
+def add_to(commands: Any) -> None:
+    parser = commands.add_parser(
+        "run", help="labels of every point, labelled clouds, the terrain",
+        description="Segments whatever a loader reads and writes, below --output: NAME.label (of a "
+        "dataset sequences/NN/predictions/NAME.label), one uint32 a point: 40 ground, 99 obstacle, "
+        "1 outlier, 0 unknown; what else is asked for; and run.json, last of all.",
+    )
+    add_input(parser)
+    add_method(parser)
+    group = parser.add_argument_group("output")
+    group.add_argument("--output", type=Path, required=True, metavar="DIR")
+    group.add_argument("--clouds", choices=CLOUDS, action="append", default=[],
+                       help="NAME.pcd or .ply with labels and heights beside all fields, or .las or "
+                       ".laz with ASPRS classes; may be repeated")
+    group.add_argument("--terrain", action="store_true", help="terrain.tif of the drive")
+    group.add_argument("--crs", help="of the terrain, e.g. EPSG:32632 [a local frame]")
+    group.add_argument("--bag", action="store_true",
+                       help="the recording once more, with the labelled clouds")
+    group.add_argument("--single-scan", action="store_true",
+                       help="forget the map before each scan, and use no poses")
+    parser.set_defaults(command=run)
+
+
+def run(options: argparse.Namespace) -> None:
+    if options.crs is not None and not options.terrain:
+        raise ValueError("--crs: expected together with --terrain")
+    dataset = open_input(options)
+    if options.bag and not isinstance(dataset, BagDataset):
+        raise ValueError(f"--bag: expected a recording, got {options.input}")
+    config = config_of(options)
+    folder = place_of(dataset, options.output)
+    record = options.output / "run.json"
+    options.output.mkdir(parents=True, exist_ok=True)
+    # What it marks as complete is not yet there.
+    record.unlink(missing_ok=True)
+    with ExitStack() as stack:
+        output = Output(dataset, folder, options, stack)
+        summary = segment(dataset, GroundGrid(config), output, options)
+    summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
+    with hidden_file(record) as hidden:
+        hidden.write_text(json.dumps(summary, indent=2) + "\n")
+    counts, scans = summary["counts"], summary["scans"]
+    shares = ", ".join(f"{name} {100 * count / max(1, sum(counts.values())):.1f} %"
+                       for name, count in counts.items())
+    print(f"{options.output}: {scans} scans, {shares}, {summary['median_ms']:.1f} ms a scan")
+
+
+def place_of(dataset: Dataset, output: Path) -> Path:
+    """Where the sequence's own files go."""
+    name = dataset.name if isinstance(dataset, FileDataset) else ""
+    return output / "sequences" / name if name else output
+
+
+def segment(
+    dataset: Dataset, grid: GroundGrid, output: Output, options: argparse.Namespace
+) -> dict[str, Any]:
+    counts, times_ms = np.zeros(len(Label), np.int64), []
+    for number, scan in enumerate(scans_of(dataset, options)):
+        if options.single_scan or scan.pose is None:
+            grid.reset()
+        pose = None if options.single_scan else scan.pose
+        begin = time.perf_counter()
+        result = grid.process(scan.points, pose)
+        times_ms.append(1000 * (time.perf_counter() - begin))
+        counts += np.bincount(result.labels, minlength=len(Label))
+        output.add(number, scan, result, grid)
+    if not times_ms:
+        raise ValueError(f"{options.input}: expected scans, got none")
+    output.finish()
+    return {
+        "scans": len(times_ms),
+        "counts": {label.name.lower(): int(counts[label]) for label in Label},
+        "median_ms": float(np.median(times_ms)),
+        "sensor_height_m": result.sensor_height_m,
+        "sensor_height_estimated": result.sensor_height_estimated,
+    }
+
+
+class Output:
+    """Everything that is written of a run but its record."""
+
+    def __init__(
+        self, dataset: Dataset, folder: Path, options: argparse.Namespace, stack: ExitStack
+    ) -> None:
+        self._dataset, self._clouds = dataset, options.clouds
+        self._is_sequence = folder != options.output
+        self._labels = folder / "predictions" if self._is_sequence else folder
+        self._folder = folder / "clouds" if self._is_sequence else folder
+        self._input = options.input.resolve()
+        for each in (folder, self._labels, *([self._folder] if self._clouds else [])):
+            each.mkdir(parents=True, exist_ok=True)
+        self._terrain: TerrainMosaic | None = None
+        if options.terrain:
+            self._terrain = TerrainMosaic(folder / "terrain.tif", options.crs)
+        self._bag: LabelledBag | None = None
+        if options.bag and isinstance(dataset, BagDataset):
+            name = options.input.stem + "_labelled"
+            ending = ".bag" if options.input.suffix == ".bag" else ""
+            self._bag = stack.enter_context(labelled_bag(dataset, folder / (name + ending)))
+
+    def add(self, number: int, scan: Scan, result: ScanResult, grid: GroundGrid) -> None:
+        write_labels(self._labels / f"{scan.name}.label", to_semantic_kitti(result.labels))
+        for ending in self._clouds:
+            path = self._folder / f"{scan.name}.{ending}"
+            if self._input in (path.resolve(), path.resolve().parent):
+                raise ValueError(f"{path}: expected another folder for --output than the input's")
+            if ending in ("las", "laz"):
+                write_las(path, scan, result, source_of(self._dataset, number))
+            else:
+                write_pcl(path, scan, result)
+        if self._terrain is not None:
+            self._terrain.add(grid)
+        if self._bag is not None:
+            self._bag.add(scan, result)
+
+    def finish(self) -> None:
+        if self._terrain is not None:
+            self._terrain.finish()

@@ -1,0 +1,101 @@
+"""LAS and LAZ, with coordinates of a sensor and of a map, in metres and feet."""
+
+import numpy as np
+import pytest
+from las_files import geo_keys, write_las, wkt
+
+import groundgrid
+
+NEAR = np.array([[1.5, -2.25, -1.625], [30.0, 4.0, 0.5]])
+FAR = np.array([[500000.25, 5400000.5, 300.125], [500100.25, 5400050.5, 310.125]])
+FOOT, US_FOOT = 0.3048, 1200 / 3937
+COMPOUND = (
+    'COMPD_CS["a",PROJCS["NAD83 / Utah North (ft)",GEOGCS["NAD83",DATUM["NAD83",'
+    'SPHEROID["GRS 1980",6378137,298.257222101]],PRIMEM["Greenwich",0],'
+    'UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],'
+    'PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",-111],'
+    'PARAMETER["scale_factor",1],PARAMETER["false_easting",0],PARAMETER["false_northing",0],'
+    'UNIT["foot",0.3048]],VERT_CS["height",VERT_DATUM["any [m]",2005],UNIT["metre",1]]]'
+)
+
+
+@pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
+def test_coordinates_of_a_sensor_stay(tmp_path, name):
+    write_las(tmp_path / name, NEAR, [2, 5], intensity=[7, 8])
+    (scan,) = groundgrid.datasets.open(tmp_path / name)
+    np.testing.assert_array_equal(scan.points[:, :3], NEAR.astype(np.float32))
+    assert scan.points[:, 3].tolist() == [7, 8] and scan.pose is None and scan.name == "scan"
+    assert scan.fields["classification"].tolist() == [2, 5]
+    np.testing.assert_array_equal(scan.fields["x"], NEAR[:, 0])
+
+
+def test_coordinates_of_a_map_are_told_from_the_middle_and_the_pose_leads_back(tmp_path):
+    write_las(tmp_path / "scan.laz", FAR)
+    (scan,) = groundgrid.datasets.open(tmp_path)
+    assert np.abs(scan.points).max() < 51
+    np.testing.assert_array_equal(scan.pose[:3, 3], np.round(FAR.mean(axis=0)))
+    np.testing.assert_allclose(scan.points[:, :3] + scan.pose[:3, 3], FAR, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("vlr", "across", "up"),
+    [
+        (None, 1.0, 1.0),
+        (geo_keys(projected=2903, unit=9003, vertical=9003), US_FOOT, US_FOOT),
+        (geo_keys(projected=2903), US_FOOT, US_FOOT),
+        (geo_keys(projected=32767, unit=9002, vertical=9001), FOOT, 1.0),
+        (geo_keys(projected=32632, vertical=9002), 1.0, FOOT),
+        (wkt(COMPOUND), FOOT, 1.0),
+    ],
+)
+def test_feet_become_metres(tmp_path, vlr, across, up):
+    write_las(tmp_path / "scan.las", NEAR, vlr=vlr)
+    (scan,) = groundgrid.datasets.open(tmp_path / "scan.las")
+    expected = NEAR * [across, across, up]
+    np.testing.assert_allclose(scan.points[:, :3], expected, rtol=1e-6)
+
+
+def test_poses_are_taken_from_a_file(tmp_path):
+    write_las(tmp_path / "0.las", NEAR)
+    write_las(tmp_path / "1.las", NEAR)
+    (tmp_path / "poses.txt").write_text("1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n")
+    dataset = groundgrid.datasets.open(tmp_path, poses=tmp_path / "poses.txt")
+    assert [scan.pose[0, 3] for scan in dataset] == [0, 2]
+
+
+@pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
+@pytest.mark.parametrize("keep", [0, 100, -30])
+def test_files_that_are_cut_short_are_refused(tmp_path, name, keep):
+    file = write_las(tmp_path / name, np.random.default_rng(1).uniform(0, 9, (500, 3)))
+    file.write_bytes(file.read_bytes()[:keep])
+    with pytest.raises(ValueError, match=f"{name}: expected a LAS or LAZ file"):
+        groundgrid.datasets.open(file)[0]
+
+
+def test_degrees_are_refused(tmp_path):
+    degrees = ('GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+               'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]')
+    write_las(tmp_path / "scan.las", NEAR, vlr=wkt(degrees))
+    with pytest.raises(ValueError, match="expected coordinates in metres or feet, got degrees"):
+        groundgrid.datasets.open(tmp_path / "scan.las")[0]
+    with pytest.raises(FileNotFoundError, match="nothing.laz"):
+        groundgrid.datasets.open(tmp_path / "nothing.laz")
+
+
+def test_an_empty_file_is_a_scan_of_no_points(tmp_path):
+    write_las(tmp_path / "scan.las", np.zeros((0, 3)))
+    assert groundgrid.datasets.open(tmp_path / "scan.las")[0].points.shape == (0, 4)
+
+
+def test_reads_real_tiles(real_data):
+    dataset = groundgrid.datasets.open(real_data / "airborne")
+    scans = {scan.name: scan for scan in dataset}
+    # In feet: 1178 by 563 of them, and heights from 406 to 521.
+    autzen = scans["autzen_trim"]
+    assert len(autzen.points) == 110000
+    np.testing.assert_allclose(np.ptp(autzen.points, axis=0)[:3],
+                               np.array([1177.46, 562.70, 114.25]) * FOOT, atol=1e-3)
+    assert np.bincount(autzen.fields["classification"]).tolist() == [0, 83893, 26107]
+    # In metres, compressed, without a vertical unit.
+    hills = scans["Topography"]
+    np.testing.assert_allclose(np.ptp(hills.points[:, 2]), 829.75825 - 788.99325, atol=1e-3)

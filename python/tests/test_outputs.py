@@ -1,0 +1,60 @@
+"""Arrays given for the results."""
+
+import numpy as np
+import pytest
+
+from groundgrid import GroundGrid
+
+
+def test_writes_into_out(plane):
+    grid = GroundGrid(sensor_height_m=1.5)
+    labels = np.full(len(plane), 9, np.uint8)
+    heights = np.full(len(plane), 9, np.float32)
+    result = grid.process(plane, out=(labels, heights))
+    assert result.labels is labels and result.height_above_ground is heights
+    expected = GroundGrid(sensor_height_m=1.5).process(plane)
+    np.testing.assert_array_equal(labels, expected.labels)
+    np.testing.assert_array_equal(heights, expected.height_above_ground)
+
+
+def bad_outputs(n):
+    labels, heights = np.zeros(n, np.uint8), np.zeros(n, np.float32)
+    frozen = np.empty(n, np.uint8)
+    frozen.flags.writeable = False
+    both = np.empty(4 * n, np.uint8)
+    odd = np.empty(4 * n + 1, np.uint8)[1:].view(np.float32)
+    return [
+        (labels, TypeError, "pair"),
+        (3, TypeError, "pair"),
+        ((labels, heights, labels), TypeError, "pair"),
+        ((heights, labels), ValueError, "labels as a uint8 array"),
+        ((labels[1:], heights), ValueError, "uint8"),
+        ((labels, heights.astype(np.float64)), ValueError, "float32"),
+        ((labels, np.empty(2 * n, np.float32)[::2]), ValueError, "without gaps"),
+        ((labels, heights[::-1]), ValueError, "without gaps"),
+        ((labels, odd), ValueError, "aligned"),
+        ((labels.reshape(1, -1), heights), ValueError, "uint8"),
+        ((frozen, heights), ValueError, "read-only"),
+        ((both[:n], both.view(np.float32)), ValueError, "share memory"),
+        ((None, None), (TypeError, ValueError), "labels"),
+        ((labels, [0.0] * n), (TypeError, ValueError), "heights"),
+    ]
+
+
+@pytest.mark.parametrize("case", range(len(bad_outputs(2))))
+def test_other_outputs_are_refused_with_the_map_untouched(plane, case):
+    grid = GroundGrid(sensor_height_m=1.5)
+    out, error, words = bad_outputs(len(plane))[case]
+    with pytest.raises(error, match=words):
+        grid.process(plane, out=out)
+    assert grid.terrain.size == 0
+
+
+def test_outputs_must_not_lie_in_the_points(plane):
+    points = np.column_stack([plane, plane])
+    memory = points.reshape(-1)
+    labels = np.empty(len(plane), np.uint8)
+    with pytest.raises(ValueError, match="share memory"):
+        GroundGrid().process(points, out=(labels, memory[: len(plane)]))
+    with pytest.raises(ValueError, match="share memory"):
+        GroundGrid().process(points[::-1], out=(labels, memory[: len(plane)]))
