@@ -15,9 +15,9 @@ import pathlib
 import sys
 import tempfile
 
-from peers import PEERS
+from package_peers import PEERS, PeerMissing
 from results import Result, Results, text, to_json, write_csv
-from runs import evaluate, run_peer, run_program, yardstick_ms
+from runs import add_package_times, evaluate, run_peer, run_program, yardstick_ms
 from sequences import ComparisonError, find_sequences
 
 PROGRAM = pathlib.Path(__file__).resolve().parents[2] / "build/release/src/program/groundgrid"
@@ -61,7 +61,10 @@ def parse(arguments, peers):
 
 def run_once(method, sequence, output, options, peers):
     if method in OURS:
-        return run_program(options.program, OURS[method], sequence, output)
+        flags = OURS[method]
+        times = run_program(options.program, flags, sequence, output)
+        return add_package_times(times, sequence, paper="paper" in flags,
+                                 single_scan="--single-scan" in flags)
     return run_peer(peers[method], sequence, output)
 
 
@@ -122,7 +125,7 @@ def main(arguments=None, peers=PEERS):
     try:
         with tempfile.TemporaryDirectory() as temporary:
             results = compare(options, peers, options.output or pathlib.Path(temporary))
-    except ComparisonError as error:
+    except (ComparisonError, PeerMissing) as error:
         sys.exit(f"compare.py: {error}")
     if options.csv:
         write_csv(results, options.csv)

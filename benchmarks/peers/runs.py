@@ -1,10 +1,8 @@
 """Runs one method over one sequence: labels in SemanticKITTI layout and a time for each scan."""
 
-import contextlib
 import csv
 import dataclasses
 import json
-import os
 import pathlib
 import subprocess
 import sys
@@ -16,6 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 
 from labelled_scans import PREDICTED_GROUND, read_points
 
+from package_peers import silenced
 from sequences import ComparisonError
 
 PREDICTED_NON_GROUND = 99
@@ -30,21 +29,6 @@ class ScanTime:
     own: float | None = None  # of the method alone
 
 
-@contextlib.contextmanager
-def silenced_output():
-    """Peers print from C++, which would end up between our results."""
-    sys.stdout.flush()
-    kept = os.dup(1)
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, 1)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 1)
-        os.close(kept)
-        os.close(nowhere)
-
-
 def predictions_folder(output, sequence):
     return output / "sequences" / sequence.name / "predictions"
 
@@ -54,7 +38,7 @@ def run_peer(make_peer, sequence, output):
     folder = predictions_folder(output, sequence)
     folder.mkdir(parents=True, exist_ok=True)
     times = []
-    with silenced_output():
+    with silenced():
         peer = make_peer(sequence.sensor_height_m)
         for scan in sequence.scans:
             points = read_points(scan)
@@ -81,6 +65,26 @@ def run_program(program, flags, sequence, output):
     with open(output / "timing.csv", newline="") as file:
         return [ScanTime(own=float(row["milliseconds"])) for row in csv.DictReader(file)
                 if row["sequence"] == sequence.name]
+
+
+def add_package_times(times, sequence, paper, single_scan):
+    """Adds those of the same method called from Python, in this process, as the peers are. Where
+    the package cannot be loaded they stay unknown."""
+    try:
+        import groundgrid
+    except ImportError:
+        return times
+    config = groundgrid.Config.paper() if paper else groundgrid.Config()
+    grid = groundgrid.GroundGrid(config, threads=1, sensor_height_m=sequence.sensor_height_m)
+    scans = groundgrid.datasets.open(sequence.dataset, sequence=sequence.name)
+    for scan, scan_time in zip(scans, times, strict=True):
+        if single_scan:
+            grid.reset()
+        cpu, begin = time.process_time(), time.perf_counter()
+        grid.process(scan.points, scan.pose)
+        end, cpu_end = time.perf_counter(), time.process_time()
+        scan_time.call, scan_time.cpu = 1000 * (end - begin), 1000 * (cpu_end - cpu)
+    return times
 
 
 def evaluate(program, sequence, predictions):

@@ -10,16 +10,18 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "benchmarks" / "peers"))
 
 import compare
 import numpy as np
-import peers
 import results
 import runs
+from package_peers import peers
 from sequences import ComparisonError, find_sequences
 
 PROGRAM = os.environ["GROUNDGRID_PROGRAM"]
@@ -63,6 +65,12 @@ def write_sequence(dataset, name, scans):
         classes = np.array([label for _, _, label in scan], np.uint32)
         classes.tofile(folder / "labels" / f"{i:06d}.label")
     return folder
+
+
+def write_poses(folder, scans):
+    standing = "1 0 0 0 0 1 0 0 0 0 1 0\n"
+    (folder / "poses.txt").write_text(scans * standing)
+    (folder / "calib.txt").write_text(f"Tr: {standing}")
 
 
 def write_predictions(folder, sequence, scans):
@@ -167,6 +175,51 @@ class CompareTest(unittest.TestCase):
                  for name in ("a", "b", "c")}
         self.run_compare(self.data, "--methods", "a,b,c", "--repetitions", 2, fakes=fakes)
         self.assertEqual("".join(made), "abcbca")
+
+    def test_ours_is_timed_from_python_where_the_package_is(self):
+        write_poses(write_sequence(self.data, "00", [RIGHT, MIXED]), 2)
+        calls = []
+
+        class Grid:
+            def __init__(self, config, threads, sensor_height_m):
+                calls.append((config, threads, sensor_height_m))
+
+            def reset(self):
+                calls.append("reset")
+
+            def process(self, points, pose):
+                calls.append((points, pose))
+
+        class Config:
+            def __new__(cls):
+                return "default"
+
+            @staticmethod
+            def paper():
+                return "paper"
+
+        scans = [types.SimpleNamespace(points=f"points {i}", pose=f"pose {i}") for i in range(2)]
+        datasets = types.SimpleNamespace(open=lambda dataset, sequence: scans)
+        package = types.SimpleNamespace(GroundGrid=Grid, Config=Config, datasets=datasets)
+        processed = [("points 0", "pose 0"), ("points 1", "pose 1")]
+        with unittest.mock.patch.dict(sys.modules, groundgrid=package):
+            for method, expected in (
+                    ("groundgrid", [("default", 1, 1.73), *processed]),
+                    ("groundgrid paper", [("paper", 1, 1.73), *processed]),
+                    ("groundgrid single scan", [("default", 1, 1.73), "reset", processed[0],
+                                                "reset", processed[1]])):
+                figures = self.figures(self.data, "--methods", method)
+                self.assertEqual(calls, expected)
+                self.assertGreater(figures[method, "00"]["call_ms_median"], 0)
+                self.assertGreater(figures[method, "00"]["own_ms_median"], 0)
+                calls.clear()
+
+    def test_without_the_package_only_the_program_is_timed(self):
+        write_poses(write_sequence(self.data, "00", [RIGHT]), 1)
+        with unittest.mock.patch.dict(sys.modules, groundgrid=None):
+            figures = self.figures(self.data, "--methods", "groundgrid")
+        self.assertIsNone(figures["groundgrid", "00"]["call_ms_median"])
+        self.assertGreater(figures["groundgrid", "00"]["own_ms_median"], 0)
 
     def test_what_a_peer_prints_does_not_reach_the_results(self):
         write_sequence(self.data, "00", [RIGHT])
