@@ -1,6 +1,6 @@
 """What the viewer shows, and the recording that it is in."""
 
-import functools
+import random
 import re
 import signal
 import socket
@@ -150,14 +150,13 @@ def test_large_coordinates_lose_nothing(folder, tmp_path):
 
 
 def two_free_ports():
-    """The first of two neighbours."""
-    for _ in range(100):
+    """The first of two neighbours, below those that the system hands out to others meanwhile."""
+    for port in random.Random().sample(range(20000, 32000, 2), 100):
         with socket.socket() as first, socket.socket() as second:
-            first.bind(("127.0.0.1", 0))
-            port = first.getsockname()[1]
             try:
+                first.bind(("127.0.0.1", port))
                 second.bind(("127.0.0.1", port + 1))
-            except (OSError, OverflowError):
+            except OSError:
                 continue
             return port
     pytest.fail("no two free ports beside each other")
@@ -175,23 +174,30 @@ def wait_until(condition):
         time.sleep(0.05)
 
 
+# Whoever runs the tests in the background may have had Ctrl-C ignored.
+HEEDS_CTRL_C = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)
+from groundgrid.program.main import main
+sys.exit(main())
+"""
+
+
 @pytest.mark.parametrize(
     ("number", "code"), [(signal.SIGINT, 0), (signal.SIGTERM, 143), (signal.SIGHUP, 129)]
 )
 def test_the_server_ends_with_the_program(folder, tmp_path, number, code):
     port = two_free_ports()
-    command = [sys.executable, "-m", "groundgrid.program.main", "view", str(folder), "--output",
+    command = [sys.executable, "-c", HEEDS_CTRL_C, "view", str(folder), "--output",
                str(tmp_path / "drive.rrd"), "--web", "--port", str(port)]
-    # Whoever runs the tests in the background may have had Ctrl-C ignored.
-    heed = functools.partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, preexec_fn=heed) as program:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as program:
         try:
             wait_until(lambda: is_served(port) and is_served(port + 1))
             program.send_signal(number)
             # Ends when the server has closed it, too.
             output, _ = program.communicate(timeout=60)
         finally:
-            program.terminate()
+            program.kill()
     assert program.returncode == code
     assert f"http://127.0.0.1:{port}?url=" in output
     wait_until(lambda: not is_served(port) and not is_served(port + 1))

@@ -20,13 +20,13 @@ expect() {
   grep -qE -- "$2" <<<"$1" || fail "no line matches '$2' in:"$'\n'"$1"
 }
 
-# Installs a build for /opt/groundgrid below one folder and moves the tree to another.
+# Installs a build for /opt/groundgrid below one folder, no other test's, and moves the tree to
+# another.
 install_and_move() {
-  local build=$1 destination=$2
-  rm -rf "$WORK/staging" "$destination"
-  DESTDIR=$WORK/staging "$CMAKE" --install "$build" --prefix /opt/groundgrid
-  mkdir -p "$(dirname "$destination")"
-  mv "$WORK/staging/opt/groundgrid" "$destination"
+  local build=$1 destination=$2 staging=$2.staging
+  rm -rf "$staging" "$destination"
+  DESTDIR=$staging "$CMAKE" --install "$build" --prefix /opt/groundgrid
+  mv "$staging/opt/groundgrid" "$destination"
 }
 
 # Builds one example against the package in a prefix, into WORK/NAME.

@@ -121,7 +121,7 @@ TEST_F(Reproduce, EndsInGoodOrderWhenInterrupted) {
   test::write_file(dataset.folder / "sequences/00/poses.txt", poses);
   const ProgramRun run = run_program("reproduce " + shell_word(dataset.path()) +
                                          " --output-markdown " + shell_word(pages / "table.md"),
-                                     "timeout --preserve-status --signal=INT 2 ");
+                                     "timeout --preserve-status --signal=INT 5 ");
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_EQ(run.output, "");
   EXPECT_TRUE(contains(run.words, "interrupted"));
