@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from rosbags.highlevel import AnyReader
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
@@ -138,16 +139,17 @@ def tf(time_s, parent, child, place, degrees=0.0):
     return types["tf2_msgs/msg/TFMessage"]([stamped])
 
 
-def odometry(time_s, x, child="base"):
+def odometry(time_s, x, child="base", parent="odom", w=1.0):
     types = STORE.types
     point = types["geometry_msgs/msg/Point"](x, 0.0, 0.0)
+    quaternion = types["geometry_msgs/msg/Quaternion"](0.0, 0.0, 0.0, w)
     pose = types["geometry_msgs/msg/PoseWithCovariance"](
-        types["geometry_msgs/msg/Pose"](point, turn(0.0)), np.zeros(36)
+        types["geometry_msgs/msg/Pose"](point, quaternion), np.zeros(36)
     )
     twist = types["geometry_msgs/msg/TwistWithCovariance"](
         types["geometry_msgs/msg/Twist"](vector(0.0, 0.0, 0.0), vector(0.0, 0.0, 0.0)), np.zeros(36)
     )
-    return types["nav_msgs/msg/Odometry"](header(STORE, time_s, "odom"), child, pose, twist)
+    return types["nav_msgs/msg/Odometry"](header(STORE, time_s, parent), child, pose, twist)
 
 
 @pytest.fixture
@@ -181,7 +183,10 @@ def test_poses_come_from_tf_between_its_times(moving):
 
 def test_poses_may_be_in_any_frame_above(moving):
     np.testing.assert_allclose(next(iter(BagDataset(moving, frame="base"))).pose[:3, 3], [1, 0, 2])
-    assert next(iter(BagDataset(moving, frame="moon"))).pose is None
+    assert next(iter(BagDataset(moving, frame="/map"))).pose is not None
+    words = "moving: expected a frame above 'lidar', got 'moon'; there are 'base', 'lidar', 'map'"
+    with pytest.raises(ValueError, match=words):
+        BagDataset(moving, frame="moon")
 
 
 def test_poses_come_from_odometry_where_it_is_named(moving):
@@ -198,6 +203,80 @@ def test_poses_come_from_odometry_where_there_is_no_tf(tmp_path):
     ]
     (scan,) = BagDataset(write(tmp_path / "drive", messages, "SQLITE3"))
     np.testing.assert_allclose(scan.pose[:3, 3], [3, 0, 0])
+
+
+def places(path, **options):
+    return [None if each.pose is None else list(each.pose[:3, 3])
+            for each in BagDataset(path, **options)]
+
+
+def test_two_odometries_of_one_frame_are_not_mixed(tmp_path):
+    points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
+    wheel = ("/wheel", odometry(1.0, 3.0, "lidar"), 1.0)
+    for parent in ("map", "odom"):
+        gps = ("/gps", odometry(1.05, 5e5, "lidar", parent), 1.0)
+        path = write(tmp_path / parent, [wheel, gps, points], "MCAP")
+        words = "frame 'lidar': expected one topic of odometry, got /gps, /wheel; choose one with"
+        with pytest.raises(ValueError, match=f"{parent}: {words} odometry="):
+            BagDataset(path)
+        assert places(path, odometry="/wheel") == [[3, 0, 0]]
+        assert places(path, odometry="/gps") == [[5e5, 0, 0]]
+    camera = [(topic, odometry(1.0, 9.0, "camera", topic), 1.0) for topic in ("/left", "/right")]
+    path = write(tmp_path / "others", [wheel, *camera, points], "MCAP")
+    assert places(path) == [[3, 0, 0]]
+
+
+def test_two_parents_of_one_frame_are_not_mixed(tmp_path):
+    def edge(parent, child="lidar"):
+        return ("/tf", tf(1.0, parent, child, (2.0, 0.0, 0.0)), 1.0)
+
+    points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
+    wheel = ("/wheel", odometry(1.0, 3.0, "lidar"), 1.0)
+    again = [edge("map"), edge("map"), edge("left", "tag"), edge("right", "tag"), wheel, points]
+    assert places(write(tmp_path / "again", again, "MCAP")) == [[2, 0, 0]]
+    path = write(tmp_path / "two", [edge("map"), edge("odom"), wheel, points], "MCAP")
+    with pytest.raises(ValueError, match="two: frame 'lidar': expected one parent, got 'map' and "
+                                         "'odom' on /tf; .* odometry="):
+        BagDataset(path)
+    assert places(path, odometry="/wheel") == [[3, 0, 0]]
+
+
+def test_odometry_that_leads_to_no_pose_is_refused(tmp_path):
+    points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
+    path = write(tmp_path / "drive", [("/odom", odometry(1.0, 3.0, ""), 1.0), points], "MCAP")
+    assert places(path) == [None]
+    with pytest.raises(ValueError, match="drive: expected odometry of 'lidar' or a frame above it, "
+                                         "got '' on /odom; there are '', 'odom'"):
+        BagDataset(path, odometry="/odom")
+
+
+def test_odometry_is_read_once_however_many_transforms_there_are(tmp_path, monkeypatch):
+    messages = [("/tf", tf(1.0 + n, "map", "lidar", (0.0, 0.0, 0.0)), 1.0 + n) for n in range(20)]
+    messages += [("/odom", odometry(1.0, 3.0, "lidar"), 1.0),
+                 ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    calls, read = [], AnyReader.messages
+    monkeypatch.setattr(AnyReader, "messages",
+                        lambda *given, **more: calls.append(1) or read(*given, **more))
+    BagDataset(path, odometry="/odom")
+    assert len(calls) <= 3
+
+
+@pytest.mark.parametrize(
+    ("topic", "message", "words"),
+    [
+        ("/tf", tf(1.0, "map", "lidar", (np.nan, 0.0, 0.0)), "finite translation, got nan, 0.0"),
+        ("/tf_static", tf(1.0, "map", "lidar", (np.inf, 0.0, 0.0)), "finite translation, got inf"),
+        ("/odom", odometry(1.0, np.nan, "lidar"), "finite translation, got nan"),
+        ("/odom", odometry(1.0, 0.0, "lidar", w=0.0), "length 1, got one of length 0.0"),
+        ("/odom", odometry(1.0, 0.0, "lidar", w=np.nan), "length 1, got one of length nan"),
+    ],
+)
+def test_poses_that_are_no_numbers_are_refused(tmp_path, topic, message, words):
+    points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
+    path = write(tmp_path / "drive", [(topic, message, 1.0), points], "MCAP")
+    with pytest.raises(ValueError, match=f"drive: frame 'lidar': expected .*{words}.* on {topic};"):
+        BagDataset(path)
 
 
 def test_one_of_several_topics_is_to_be_named(tmp_path):
@@ -217,6 +296,37 @@ def test_other_files_are_refused(tmp_path):
         (tmp_path / name).write_bytes(b"no recording")
         with pytest.raises(ValueError, match=name):
             BagDataset(tmp_path / name)
+
+
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+def test_damaged_recordings_are_refused_by_name(tmp_path, storage):
+    messages = [("/points", cloud(store_of(storage), "plain", scan), scan) for scan in range(2)]
+    path = write(tmp_path / "drive", messages, storage)
+    if path.is_dir():
+        (path,) = (each for each in path.iterdir() if each.suffix in (".mcap", ".db3"))
+    whole, refused = path.read_bytes(), 0
+    for begin in range(0, len(whole), len(whole) // 25):
+        for damaged in (whole[:begin], whole[:begin] + b"\xff" * 8 + whole[begin + 8 :]):
+            alone = tmp_path / f"{begin}{path.suffix}"
+            alone.write_bytes(damaged)
+            try:
+                list(BagDataset(alone))
+            except ValueError as error:
+                assert str(error).startswith(f"{alone}: ") and "\n" not in str(error)
+                refused += 1
+    assert refused >= 25
+
+
+def test_errors_of_those_who_read_stay_their_own(moving):
+    with pytest.raises(KeyError), BagDataset(moving).reader():
+        raise KeyError("mine")
+
+
+def test_endings_in_capitals_are_told_to_be_renamed(tmp_path):
+    path = write(tmp_path / "drive", [("/points", cloud(STORE1, "plain", 0), 0)], "ros1")
+    moved = path.rename(tmp_path / "DRIVE.BAG")
+    with pytest.raises(ValueError, match="DRIVE.BAG: expected the ending .bag, .* rename the file"):
+        groundgrid.datasets.open(moved)
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import sqlite3
-import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,7 +11,7 @@ from typing import Any
 from .extras import require
 from .pointcloud2 import fields_of
 from .scan import Scan, points_of
-from .transforms import FrameTree
+from .transforms import FrameTree, Matrix
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 ODOMETRY = "nav_msgs/msg/Odometry"
@@ -22,6 +20,65 @@ TRANSFORMS = "tf2_msgs/msg/TFMessage"
 
 def nanoseconds(stamp: Any) -> int:
     return int(stamp.sec) * 1_000_000_000 + int(stamp.nanosec)
+
+
+# What a message raises that the recording defines otherwise than ROS does.
+OTHERWISE = AttributeError, TypeError
+
+
+@contextmanager
+def naming(path: Path, *kinds: type[Exception]) -> Iterator[None]:
+    """Errors of these kinds are ValueError with the file's name; without kinds, all are.
+
+    The library raises of everything, apsw's and assertions among it, over a damaged file.
+    """
+    try:
+        yield
+    except kinds or Exception as error:
+        if isinstance(error, OSError) and error.filename is not None:
+            raise
+        lines = str(error).splitlines() or [type(error).__name__]
+        raise ValueError(f"{path}: expected a recording, got: {lines[0]}") from error
+
+
+class Recording:
+    """A recording that is open, of rosbags' AnyReader. Raises ValueError where it is damaged."""
+
+    def __init__(self, path: Path, reader: Any) -> None:
+        self.path = path
+        self.connections: list[Any] = reader.connections
+        self.typestore: Any = reader.typestore
+        self.is2: bool = reader.is2
+        self._reader = reader
+
+    def messages(self, connections: list[Any] | None = None) -> Iterator[tuple[Any, int, Any]]:
+        """Connection, time of recording in ns, and bytes; of all connections if none are given."""
+        if connections == []:
+            return
+        messages = self._reader.messages(connections=connections or ())
+        while True:
+            with naming(self.path):
+                message = next(messages, None)
+            if message is None:
+                return
+            yield message
+
+    def deserialize(self, raw: Any, connection: Any) -> Any:
+        with naming(self.path):
+            return self._reader.deserialize(raw, connection.msgtype)
+
+
+def add(frames: FrameTree, topic: str, header: Any, child: str, pose: tuple[Any, Any],
+        is_fixed: bool = False) -> None:
+    """A position and an orientation of a topic; bad ones matter only to poses that need them."""
+    child, parent = child.lstrip("/"), header.frame_id.lstrip("/")
+    try:
+        if is_fixed:
+            frames.add_fixed(parent, child, *pose)
+        else:
+            frames.add_moving(parent, child, nanoseconds(header.stamp), *pose)
+    except ValueError as error:
+        frames.refuse(child, f"{error} on {topic}; choose a topic of odometry with odometry=")
 
 
 class BagDataset:
@@ -34,7 +91,8 @@ class BagDataset:
 
     Poses are those of the cloud's own frame, interpolated at the time of its header; None where
     neither TF nor odometry has them. Raises FileNotFoundError, ValueError for what is no recording
-    or has no such topic, and ImportError where rosbags is not installed.
+    or has no such topic or frame, and for poses that are not numbers or come from several parents
+    or topics of odometry at once, and ImportError where rosbags is not installed.
     """
 
     def __init__(
@@ -46,28 +104,34 @@ class BagDataset:
         odometry: str | None = None,
     ) -> None:
         self._path = Path(path)
-        self._frame = frame
-        with self.reader() as reader:
-            clouds = {each.topic for each in reader.connections if each.msgtype == CLOUD}
+        self._frame = None if frame is None else frame.lstrip("/")
+        with self.reader() as recording, naming(self._path, *OTHERWISE):
+            clouds = {each.topic for each in recording.connections if each.msgtype == CLOUD}
             self.topic: str = self._choose(sorted(clouds), topic)
-            wanted = [each for each in reader.connections if each.topic == self.topic]
-            self._count = sum(int(each.msgcount) for each in wanted)
-            self._frames = self._read_frames(reader, odometry)
+            self._count = sum(int(each.msgcount) for each in self._connections(recording))
+            self._frames = FrameTree()
+            own = self._read_frames(recording, odometry)
+            self._check_frames(recording, odometry, own)
 
     @contextmanager
-    def reader(self) -> Iterator[Any]:
-        """rosbags' AnyReader of the whole recording; its errors are ValueError."""
+    def reader(self) -> Iterator[Recording]:
+        """The whole recording; what rosbags raises over it is ValueError."""
         anyreader = require("rosbags.highlevel", "bags", "reading a recording")
         typesys = require("rosbags.typesys", "bags", "reading a recording")
         if not self._path.exists():
             raise FileNotFoundError(f"{self._path}: expected a recording, got nothing of that name")
+        ending = self._path.suffix
+        if ending != ending.lower() and self._path.is_file():
+            raise ValueError(f"{self._path}: expected the ending {ending.lower()}, by which "
+                             f"rosbags knows recordings, got {ending}: rename the file")
         store = typesys.get_typestore(typesys.Stores.LATEST)
+        with naming(self._path):
+            reader = anyreader.AnyReader([self._path], default_typestore=store)
+            reader.open()
         try:
-            with anyreader.AnyReader([self._path], default_typestore=store) as reader:
-                yield reader
-        # What it raises for files that are cut short or none at all.
-        except (anyreader.AnyReaderError, sqlite3.Error, struct.error, LookupError) as error:
-            raise ValueError(f"{self._path}: expected a recording, got: {error}") from error
+            yield Recording(self._path, reader)
+        finally:
+            reader.close()
 
     def _choose(self, topics: list[str], wanted: str | None) -> str:
         names = ", ".join(topics) or "none"
@@ -78,51 +142,85 @@ class BagDataset:
             raise ValueError(f"{self._path}: expected {expected}, got {names}")
         return wanted
 
-    def _read_frames(self, reader: Any, odometry: str | None) -> FrameTree:
-        frames = FrameTree()
-        wanted = [each for each in reader.connections if each.msgtype == TRANSFORMS]
-        for connection, _, raw in reader.messages(connections=wanted) if wanted else ():
-            is_fixed = connection.topic.endswith("tf_static")
-            for each in reader.deserialize(raw, connection.msgtype).transforms:
-                parent, child = each.header.frame_id.lstrip("/"), each.child_frame_id.lstrip("/")
-                place = each.transform.translation, each.transform.rotation
-                if is_fixed:
-                    frames.add_fixed(parent, child, *place)
-                elif odometry is None or child != self._child_of(reader, odometry):
-                    frames.add_moving(parent, child, nanoseconds(each.header.stamp), *place)
-        self._add_odometry(reader, frames, odometry)
-        return frames
+    def _connections(self, recording: Recording) -> list[Any]:
+        return [each for each in recording.connections if each.topic == self.topic]
 
-    def _odometry(self, reader: Any, topic: str | None) -> Iterator[Any]:
-        wanted = [each for each in reader.connections
+    def _read_frames(self, recording: Recording, odometry: str | None) -> set[str]:
+        """The frames that odometry places. Of one frame, named odometry goes before TF, TF before
+        odometry."""
+        if odometry is None:
+            self._add_transforms(recording, set())
+            return self._add_odometry(recording, None)
+        own = self._add_odometry(recording, odometry)
+        self._add_transforms(recording, own)
+        return own
+
+    def _add_transforms(self, recording: Recording, placed: set[str]) -> None:
+        wanted = [each for each in recording.connections if each.msgtype == TRANSFORMS]
+        for connection, _, raw in recording.messages(wanted):
+            is_fixed = connection.topic.endswith("tf_static")
+            for each in recording.deserialize(raw, connection).transforms:
+                if each.child_frame_id.lstrip("/") not in placed:
+                    pose = each.transform.translation, each.transform.rotation
+                    add(self._frames, connection.topic, each.header, each.child_frame_id, pose,
+                        is_fixed)
+
+    def _add_odometry(self, recording: Recording, topic: str | None) -> set[str]:
+        wanted = [each for each in recording.connections
                   if each.msgtype == ODOMETRY and topic in (None, each.topic)]
         if topic is not None and not wanted:
             raise ValueError(f"{self._path}: expected odometry on {topic}, got none")
-        for connection, _, raw in reader.messages(connections=wanted) if wanted else ():
-            yield reader.deserialize(raw, connection.msgtype)
-
-    def _child_of(self, reader: Any, topic: str) -> str | None:
-        first = next(self._odometry(reader, topic), None)
-        return None if first is None else str(first.child_frame_id).lstrip("/")
-
-    def _add_odometry(self, reader: Any, frames: FrameTree, topic: str | None) -> None:
-        from_tf: dict[str, bool] = {}
-        for message in self._odometry(reader, topic):
+        placed, topics = self._frames.children(), dict[str, set[str]]()
+        for connection, _, raw in recording.messages(wanted):
+            message = recording.deserialize(raw, connection)
             child = message.child_frame_id.lstrip("/")
-            if from_tf.setdefault(child, frames.knows(child)):
-                continue
-            pose = message.pose.pose
-            frames.add_moving(message.header.frame_id.lstrip("/"), child,
-                              nanoseconds(message.header.stamp), pose.position, pose.orientation)
+            if child not in placed:
+                topics.setdefault(child, set()).add(connection.topic)
+                pose = message.pose.pose.position, message.pose.pose.orientation
+                add(self._frames, connection.topic, message.header, child, pose)
+        for child, names in topics.items():
+            if len(names) > 1:
+                self._frames.refuse(child, "expected one topic of odometry, got "
+                                    f"{', '.join(sorted(names))}; choose one with odometry=")
+        return set(topics)
+
+    def _check_frames(self, recording: Recording, odometry: str | None, own: set[str]) -> None:
+        """Tells at once, of the first cloud, that there will be no poses as they are asked for."""
+        connection, _, raw = next(recording.messages(self._connections(recording)),
+                                  (None, 0, b""))
+        if connection is None:
+            return
+        header = recording.deserialize(raw, connection).header
+        self._pose(header)
+        frame = header.frame_id.lstrip("/")
+        above = self._frames.above(frame)
+        there_are = f"; there are {', '.join(map(repr, self._frames.names())) or 'none'}"
+        if self._frame is not None and self._frame not in above:
+            raise ValueError(f"{self._path}: expected a frame above {frame!r}, got {self._frame!r}"
+                             + there_are)
+        if odometry is not None and own.isdisjoint(above):
+            got = ", ".join(map(repr, sorted(own))) or "no messages"
+            raise ValueError(f"{self._path}: expected odometry of {frame!r} or a frame above it, "
+                             f"got {got} on {odometry}" + there_are)
+
+    def _pose(self, header: Any) -> Matrix | None:
+        try:
+            return self._frames.pose(header.frame_id.lstrip("/"), nanoseconds(header.stamp),
+                                     self._frame)
+        except ValueError as error:
+            raise ValueError(f"{self._path}: {error}") from error
 
     def __len__(self) -> int:
         return self._count
 
     def __iter__(self) -> Iterator[Scan]:
-        with self.reader() as reader:
-            wanted = [each for each in reader.connections if each.topic == self.topic]
-            for index, (connection, _, raw) in enumerate(reader.messages(connections=wanted)):
-                yield self._scan(index, reader.deserialize(raw, connection.msgtype))
+        with self.reader() as recording:
+            messages = recording.messages(self._connections(recording))
+            for index, (connection, _, raw) in enumerate(messages):
+                message = recording.deserialize(raw, connection)
+                with naming(self._path, *OTHERWISE):
+                    scan = self._scan(index, message)
+                yield scan
 
     def _scan(self, index: int, message: Any) -> Scan:
         try:
@@ -131,12 +229,10 @@ class BagDataset:
             points = points_of(fields, count)
         except ValueError as error:
             raise ValueError(f"{self._path}: message {index} of {self.topic}: {error}") from error
-        time_ns = nanoseconds(message.header.stamp)
-        frame = message.header.frame_id.lstrip("/")
         return Scan(
             name=f"{index:06}",
             points=points,
-            pose=self._frames.pose(frame, time_ns, self._frame),
-            time_s=time_ns * 1e-9,
+            pose=self._pose(message.header),
+            time_s=nanoseconds(message.header.stamp) * 1e-9,
             fields=fields,
         )

@@ -73,6 +73,8 @@ class Track:
 
     def add(self, time_ns: int, position: Any, orientation: Any) -> None:
         place = np.array([position.x, position.y, position.z], np.float64)
+        if not np.isfinite(place).all():
+            raise ValueError(f"expected a finite translation, got {', '.join(map(str, place))}")
         self._poses[time_ns] = place, quaternion_of(orientation)
         self._times = []
 
@@ -102,8 +104,10 @@ class FrameTree:
     def __init__(self) -> None:
         self._fixed: dict[str, tuple[str, Matrix]] = {}
         self._moving: dict[str, tuple[str, Track]] = {}
+        self._refused: dict[str, str] = {}
 
     def add_fixed(self, parent: str, child: str, position: Any, orientation: Any) -> None:
+        """Raises ValueError for numbers that are no pose."""
         track = Track()
         track.add(0, position, orientation)
         matrix = track.at(0)
@@ -113,30 +117,61 @@ class FrameTree:
     def add_moving(
         self, parent: str, child: str, time_ns: int, position: Any, orientation: Any
     ) -> None:
-        self._moving.setdefault(child, (parent, Track()))[1].add(time_ns, position, orientation)
+        """Raises ValueError for numbers that are no pose, and for another parent than before."""
+        known, track = self._moving.setdefault(child, (parent, Track()))
+        if parent != known:
+            raise ValueError(f"expected one parent, got {known!r} and {parent!r}")
+        track.add(time_ns, position, orientation)
 
-    def knows(self, child: str) -> bool:
-        """Whether the frame has a parent."""
-        return child in self._fixed or child in self._moving
+    def refuse(self, child: str, words: str) -> None:
+        """Where the frame is in its parent cannot be told. Frames that do not need it still can."""
+        self._refused[child] = words
+
+    def children(self) -> set[str]:
+        """The frames that have a parent."""
+        return {*self._fixed, *self._moving}
+
+    def names(self) -> list[str]:
+        """All frames, in alphabetical order."""
+        parents = {parent for parent, _ in [*self._fixed.values(), *self._moving.values()]}
+        return sorted(self.children() | parents)
+
+    def above(self, frame: str, reference: str | None = None) -> list[str]:
+        """The frame and those above it, up to the reference; each once where they form a ring."""
+        names = [frame]
+        while frame != reference and (frame in self._moving or frame in self._fixed):
+            frame = (self._moving.get(frame) or self._fixed[frame])[0]
+            if frame in names:
+                break
+            names.append(frame)
+        return names
 
     def pose(self, frame: str, time_ns: int, reference: str | None = None) -> Matrix | None:
         """T_reference_frame, the reference being the root of the tree where it is left out.
 
         None where the frame has no parent, the reference is not above it, or a time is unknown.
+        Raises ValueError where a frame on the way is refused.
         """
-        matrix, seen = np.eye(4), {frame}
-        moved = False
-        while frame != reference and self.knows(frame):
-            if frame in self._moving:
-                frame, track = self._moving[frame]
-                step = track.at(time_ns)
-                moved = True
-            else:
-                frame, step = self._fixed[frame]
-            if step is None or frame in seen:
+        names = self.above(frame, reference)
+        for each in names:
+            if each in self._refused and each != reference:
+                raise ValueError(f"frame {each!r}: {self._refused[each]}")
+        *children, top = names
+        is_ring = top != reference and top in self.children()
+        if is_ring or reference not in (None, top):
+            return None
+        if reference is None and not any(each in self._moving for each in children):
+            return None
+        matrix = np.eye(4)
+        for each in children:
+            step = self._step(each, time_ns)
+            if step is None:
                 return None
-            seen.add(frame)
             matrix = step @ matrix
-        if reference is None:
-            return matrix if moved else None
-        return matrix if frame == reference else None
+        return matrix
+
+    def _step(self, child: str, time_ns: int) -> Matrix | None:
+        """T_parent_child."""
+        if child in self._moving:
+            return self._moving[child][1].at(time_ns)
+        return self._fixed[child][1]

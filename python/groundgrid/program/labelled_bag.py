@@ -40,7 +40,7 @@ class LabelledBag:
         for connection, time_ns, raw in self._messages:
             self._writer.write(self._connections[id(connection)], time_ns, raw)
             if connection.topic == self._topic:
-                message = self._reader.deserialize(raw, connection.msgtype)
+                message = self._reader.deserialize(raw, connection)
                 self._writer.write(self._labelled, time_ns, self._bytes(message, scan, result))
                 return
 
