@@ -2,8 +2,11 @@
 
 import json
 import os
+import re
+import sqlite3
 import subprocess
 import sys
+from contextlib import closing
 
 import laspy
 import numpy as np
@@ -156,6 +159,71 @@ def test_a_recording_of_ros_1_stays_one(tmp_path):
     for one, more in zip(groundgrid.datasets.open(bag), labelled, strict=True):
         np.testing.assert_array_equal(one.fields["ring"], more.fields["ring"])
         assert more.fields["label"].dtype == np.uint32
+
+
+def labelled_copy(given, out):
+    flags = ["--bag", "--sensor-height-m", "1.5", "--output", str(out)]
+    assert main(["run", str(given), *flags]) == 0
+    return groundgrid.datasets.open(out / f"{given.stem}_labelled", topic="/points/ground_grid")
+
+
+@pytest.mark.parametrize("storage", ["SQLITE3", "MCAP"])
+def test_a_lone_file_comes_back_as_a_recording(recording, tmp_path, storage):
+    ending = {"SQLITE3": ".db3", "MCAP": ".mcap"}[storage]
+    (file,) = write(tmp_path / "drive", recording, storage).glob(f"*{ending}")
+    alone = file.rename(tmp_path / f"alone{ending}")
+    for one, more in zip(groundgrid.datasets.open(alone), labelled_copy(alone, tmp_path / "out"),
+                         strict=True):
+        np.testing.assert_array_equal(one.points, more.points)
+        np.testing.assert_array_equal(one.pose, more.pose)
+        assert "label" in more.fields
+
+
+def as_of_humble(bag):
+    """What recordings were before types had hashes, and files of SQLite definitions."""
+    metadata = bag / "metadata.yaml"
+    text = re.sub(r"type_description_hash:\s+\S+", "", metadata.read_text())
+    metadata.write_text(text.replace("version: 9", "version: 5"))
+    for file in bag.glob("*.db3"):
+        with closing(sqlite3.connect(file)) as base, base:
+            base.execute("UPDATE schema SET schema_version = 3")
+            base.execute("DROP TABLE message_definitions")
+
+
+@pytest.mark.parametrize("storage", ["SQLITE3", "MCAP"])
+def test_a_recording_of_an_older_ros_2_comes_back(recording, tmp_path, storage, capsys):
+    bag = write(tmp_path / "drive", recording, storage)
+    as_of_humble(bag)
+    assert len(list(labelled_copy(bag, tmp_path / "out"))) == 3
+    assert "left out" not in capsys.readouterr().err
+
+
+def test_topics_of_unknown_types_are_left_out_and_named(recording, tmp_path, capsys):
+    bag = write(tmp_path / "drive", recording, "SQLITE3")
+    as_of_humble(bag)
+    metadata = bag / "metadata.yaml"
+    metadata.write_text(metadata.read_text().replace("tf2_msgs/msg/TFMessage", "mine/msg/Odd"))
+    for file in bag.glob("*.db3"):
+        with closing(sqlite3.connect(file)) as base, base:
+            base.execute("UPDATE topics SET type = 'mine/msg/Odd' WHERE name = '/tf'")
+    labelled = labelled_copy(bag, tmp_path / "out")
+    assert "/tf is left out" in (told := capsys.readouterr().err) and "mine/msg/Odd" in told
+    assert len(list(labelled)) == 3
+    with labelled.reader() as copy:
+        assert sorted(each.topic for each in copy.connections) == ["/points", "/points/ground_grid"]
+
+
+@pytest.mark.parametrize("storage", ["ros1", "MCAP"])
+def test_a_recording_is_not_labelled_twice(tmp_path, storage, capsys):
+    from test_bags import store_of
+
+    messages = [(topic, cloud(store_of(storage), "plain", 0), 0)
+                for topic in ("/points", "/points/ground_grid")]
+    bag = write(tmp_path / "drive", messages, storage)
+    flags = ["--topic", "/points", "--bag", "--output", str(tmp_path / "out")]
+    assert main(["run", str(bag), *flags]) == 1
+    assert f"{bag}: expected no topic /points/ground_grid" in capsys.readouterr().err
+    assert names_in(tmp_path / "out") == []
 
 
 def test_a_run_that_fails_leaves_whole_files_and_no_record(folder, recording, tmp_path, capsys):

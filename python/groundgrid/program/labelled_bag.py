@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import shutil
+import sys
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,6 +17,7 @@ import numpy.typing as npt
 
 from .._core import ScanResult
 from ..datasets import BagDataset, Scan
+from ..datasets.bags import Recording
 from ..datasets.extras import require
 from ..datasets.pointcloud2 import TYPES
 from ..evaluation import to_semantic_kitti
@@ -28,19 +30,20 @@ DATATYPES = {np.dtype(name): number for number, name in TYPES.items()}
 class LabelledBag:
     """Copies a recording, message by message, up to the end of each cloud that is labelled."""
 
-    def __init__(self, reader: Any, writer: Any, topic: str) -> None:
-        self._reader, self._writer, self._topic = reader, writer, topic
-        self._connections = {id(each): copied(writer, each) for each in reader.connections}
-        cloud = next(each for each in reader.connections if each.topic == topic)
-        self._labelled = copied(writer, cloud, topic + SUFFIX)
-        self._messages = iter(reader.messages())
+    def __init__(self, recording: Recording, writer: Any, topic: str) -> None:
+        self._recording, self._writer, self._topic = recording, writer, topic
+        known, store = known_of(recording), recording.typestore
+        self._connections = {id(each): copied(writer, each, store) for each in known}
+        cloud = next(each for each in known if each.topic == topic)
+        self._labelled = copied(writer, cloud, store, topic + SUFFIX)
+        self._messages = recording.messages(known)
 
     def add(self, scan: Scan, result: ScanResult) -> None:
         """The messages up to the next cloud, that cloud, and it with labels."""
         for connection, time_ns, raw in self._messages:
             self._writer.write(self._connections[id(connection)], time_ns, raw)
             if connection.topic == self._topic:
-                message = self._reader.deserialize(raw, connection)
+                message = self._recording.deserialize(raw, connection)
                 self._writer.write(self._labelled, time_ns, self._bytes(message, scan, result))
                 return
 
@@ -54,9 +57,9 @@ class LabelledBag:
                   if name not in ("label", "height_above_ground")}
         fields["label"] = to_semantic_kitti(result.labels)
         fields["height_above_ground"] = result.height_above_ground
-        labelled = with_fields(message, records_of(fields), self._reader.typestore)
-        store, name = self._reader.typestore, message.__msgtype__
-        is_ros1 = not self._reader.is2
+        store, name = self._recording.typestore, message.__msgtype__
+        labelled = with_fields(message, records_of(fields), store)
+        is_ros1 = not self._recording.is2
         return (store.serialize_ros1 if is_ros1 else store.serialize_cdr)(labelled, name)
 
 
@@ -76,14 +79,31 @@ def with_fields(message: Any, records: npt.NDArray[Any], store: Any) -> Any:
     )
 
 
-def copied(writer: Any, connection: Any, topic: str | None = None) -> Any:
+def known_of(recording: Recording) -> list[Any]:
+    """The connections whose types can be written: by their definition, or as one of ROS's own.
+
+    Names the others. ROS 2 bags in SQLite before Iron have no definitions.
+    """
+    known = []
+    for each in recording.connections:
+        if each.msgdef.data or each.msgtype in recording.typestore.fielddefs:
+            known.append(each)
+        else:
+            print(f"groundgrid-py: {recording.path}: {each.topic} is left out of the labelled "
+                  f"recording: there is no definition of {each.msgtype}", file=sys.stderr)
+    return known
+
+
+def copied(writer: Any, connection: Any, store: Any, topic: str | None = None) -> Any:
     """The same connection in another recording."""
     name, text = topic or connection.topic, connection.msgdef.data
     if hasattr(connection.ext, "callerid"):
         return writer.add_connection(name, connection.msgtype, msgdef=text,
                                      md5sum=connection.digest, callerid=connection.ext.callerid,
                                      latching=connection.ext.latching)
-    return writer.add_connection(name, connection.msgtype, msgdef=text, rihs01=connection.digest,
+    # Where older recordings have no definition or no digest, rosbags makes both of the store's.
+    return writer.add_connection(name, connection.msgtype, typestore=store, msgdef=text or None,
+                                 rihs01=connection.digest or None,
                                  serialization_format=connection.ext.serialization_format,
                                  offered_qos_profiles=connection.ext.offered_qos_profiles)
 
@@ -93,16 +113,17 @@ def labelled_bag(dataset: BagDataset, path: Path) -> Iterator[LabelledBag]:
     """A recording of the same kind: a .bag file for ROS 1, else a folder with an MCAP file.
 
     It has its name once it is complete. Raises FileExistsError where there is a folder of that
-    name.
+    name, and ValueError where the recording is a labelled one already.
     """
     if path.is_dir():
         raise FileExistsError(f"{path}: expected no recording of that name; take it away first")
-    with dataset.reader() as reader:
+    with dataset.reader() as recording:
+        check_unlabelled(recording, dataset.topic)
         folder = Path(tempfile.mkdtemp(prefix=f".{path.name}.", dir=path.parent))
         try:
             hidden = folder / path.name
-            with new_writer(reader, hidden) as writer:
-                bag = LabelledBag(reader, writer, dataset.topic)
+            with new_writer(recording, hidden) as writer:
+                bag = LabelledBag(recording, writer, dataset.topic)
                 yield bag
                 bag.finish()
             os.replace(hidden, path)
@@ -110,8 +131,15 @@ def labelled_bag(dataset: BagDataset, path: Path) -> Iterator[LabelledBag]:
             shutil.rmtree(folder, ignore_errors=True)
 
 
-def new_writer(reader: Any, path: Path) -> Any:
-    if not reader.is2:
+def check_unlabelled(recording: Recording, topic: str) -> None:
+    if any(each.topic == topic + SUFFIX for each in recording.connections):
+        raise ValueError(f"{recording.path}: expected no topic {topic + SUFFIX}, where the "
+                         f"labelled clouds of {topic} go, got one: take the recording as it was "
+                         "before, or another topic")
+
+
+def new_writer(recording: Recording, path: Path) -> Any:
+    if not recording.is2:
         return require("rosbags.rosbag1", "bags", "writing a recording").Writer(path)
     rosbag2 = require("rosbags.rosbag2", "bags", "writing a recording")
     return rosbag2.Writer(path, version=9, storage_plugin=rosbag2.StoragePlugin.MCAP)
