@@ -37,7 +37,7 @@ def naming(path: Path, *kinds: type[Exception]) -> Iterator[None]:
     except kinds or Exception as error:
         if isinstance(error, OSError) and error.filename is not None:
             raise
-        lines = str(error).splitlines() or [type(error).__name__]
+        lines = str(error).strip().splitlines() or [type(error).__name__]
         raise ValueError(f"{path}: expected a recording, got: {lines[0]}") from error
 
 
