@@ -1,9 +1,13 @@
-"""Arrays given for the results."""
+"""Arrays given for the results, and the clouds that groundgrid-py writes of them."""
 
+import laspy
 import numpy as np
 import pytest
+from las_files import write_las
 
+import groundgrid
 from groundgrid import GroundGrid
+from groundgrid.program.main import main
 
 
 def test_writes_into_out(plane):
@@ -58,3 +62,15 @@ def test_outputs_must_not_lie_in_the_points(plane):
         GroundGrid().process(points, out=(labels, memory[: len(plane)]))
     with pytest.raises(ValueError, match="share memory"):
         GroundGrid().process(points[::-1], out=(labels, memory[: len(plane)]))
+
+
+@pytest.mark.parametrize("ending", ["pcd", "ply", "las", "laz"])
+@pytest.mark.parametrize("name", ["scan.npy", "scan.las"])
+def test_a_scan_without_points_is_a_cloud_without_points(tmp_path, name, ending):
+    np.save(tmp_path / "scan.npy", np.zeros((0, 4), np.float32))
+    write_las(tmp_path / "scan.las", np.zeros((0, 3)))
+    out = tmp_path / "out"
+    assert main(["run", str(tmp_path / name), "--output", str(out), "--clouds", ending]) == 0
+    (scan,) = groundgrid.datasets.open(out / f"scan.{ending}")
+    assert scan.points.shape == (0, 4)
+    assert "height_above_ground" in scan.fields and (out / "run.json").exists()

@@ -42,8 +42,10 @@ def write_pcl(path: Path, scan: Scan, result: ScanResult) -> None:
     for name in records.dtype.names:
         kind = records.dtype[name]
         fields.append((name, str(kind.base), int(np.prod(kind.shape, dtype=int))))
-    write_cloud(path, path.suffix[1:], fields, records.view(np.uint8).reshape(len(records), -1),
-                to_semantic_kitti(result.labels), result.height_above_ground)
+    # The bytes of a point are said, as none can be worked out from no points.
+    packed = records.view(np.uint8).reshape(len(records), records.dtype.itemsize)
+    write_cloud(path, path.suffix[1:], fields, packed, to_semantic_kitti(result.labels),
+                result.height_above_ground)
 
 
 def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -> None:
