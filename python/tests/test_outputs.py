@@ -74,3 +74,32 @@ def test_a_scan_without_points_is_a_cloud_without_points(tmp_path, name, ending)
     (scan,) = groundgrid.datasets.open(out / f"scan.{ending}")
     assert scan.points.shape == (0, 4)
     assert "height_above_ground" in scan.fields and (out / "run.json").exists()
+
+
+@pytest.mark.parametrize("ending", ["pcd", "ply"])
+def test_names_of_fields_have_no_blanks_in_clouds(tmp_path, plane, ending):
+    numbers = {name: np.full(len(plane), number, np.uint8) for number, name in enumerate(
+        ["Pulse width", "Pulse_width", "Pulse\t width", " label", "\u3000"])}
+    np.savez(tmp_path / "scan.npz", points=plane, **numbers)
+    out = tmp_path / "out"
+    flags = ["--output", str(out), "--clouds", ending]
+    assert main(["run", str(tmp_path / "scan.npz"), *flags]) == 0
+    fields = groundgrid.datasets.open(out / f"scan.{ending}")[0].fields
+    names = ["Pulse_width_2", "Pulse_width", "Pulse_width_3", "label_2", "unnamed"]
+    assert list(fields) == ["x", "y", "z", *names, "label", "height_above_ground"]
+    assert [fields[name][0] for name in names] == [0, 1, 2, 3, 4]
+    np.testing.assert_array_equal(fields["x"], plane[:, 0])
+
+
+def test_extra_bytes_of_a_las_file_may_have_blanks_in_their_name(tmp_path):
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.add_extra_dim(laspy.ExtraBytesParams("Pulse width", "uint8"))
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = np.ones((3, 4))
+    las["Pulse width"] = np.arange(4)
+    las.write(tmp_path / "scan.las")
+    out = tmp_path / "out"
+    flags = ["--output", str(out), "--clouds", "pcd"]
+    assert main(["run", str(tmp_path / "scan.las"), *flags]) == 0
+    fields = groundgrid.datasets.open(out / "scan.pcd")[0].fields
+    assert fields["Pulse_width"].tolist() == [0, 1, 2, 3]

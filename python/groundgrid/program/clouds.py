@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +22,28 @@ ASPRS = {Label.UNKNOWN: 0, Label.GROUND: 2, Label.OBSTACLE: 1, Label.OUTLIER: 7}
 LAS_STEP_M = 0.001
 # What takes the place of types that clouds have not.
 FILE_TYPES = {"b1": np.dtype("u1"), "f2": np.dtype("f4")}
+# What write_cloud() puts behind the fields of the scan, in place of any of these names.
+ANSWERS = frozenset({"label", "height_above_ground"})
 Fields = Mapping[str, npt.NDArray[Any]]
+
+
+def without_blanks(names: Iterable[str]) -> list[str]:
+    """Names as the headers of PCD and PLY can hold them, which are split at blanks; all different.
+
+    A name that has no blanks stays, and a number sets another one apart from it.
+    """
+    given = list(names)
+    taken = ANSWERS.union(given)
+    changed = []
+    for name in given:
+        # Not "_", which is the name of padding in PCD.
+        base = "_".join(name.split()) or "unnamed"
+        if base != name:
+            others = (f"{base}_{number}" for number in count(2))
+            name = next(each for each in chain([base], others) if each not in taken)
+            taken |= {name}
+        changed.append(name)
+    return changed
 
 
 def records_of(fields: Fields) -> npt.NDArray[Any]:
@@ -39,8 +61,8 @@ def write_pcl(path: Path, scan: Scan, result: ScanResult) -> None:
     records = records_of(scan.fields)
     assert records.dtype.names is not None
     fields = []
-    for name in records.dtype.names:
-        kind = records.dtype[name]
+    for name, place in zip(without_blanks(records.dtype.names), records.dtype.names):
+        kind = records.dtype[place]
         fields.append((name, str(kind.base), int(np.prod(kind.shape, dtype=int))))
     # The bytes of a point are said, as none can be worked out from no points.
     packed = records.view(np.uint8).reshape(len(records), records.dtype.itemsize)
