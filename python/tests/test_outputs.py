@@ -103,3 +103,18 @@ def test_extra_bytes_of_a_las_file_may_have_blanks_in_their_name(tmp_path):
     assert main(["run", str(tmp_path / "scan.las"), *flags]) == 0
     fields = groundgrid.datasets.open(out / "scan.pcd")[0].fields
     assert fields["Pulse_width"].tolist() == [0, 1, 2, 3]
+
+
+@pytest.mark.parametrize("wrong", [1e30, -2.5e6, np.inf, np.nan])
+@pytest.mark.parametrize("pose", [None, np.diag([1.0, -1.0, -1.0, 1.0])])
+def test_points_that_las_cannot_hold_are_left_out(tmp_path, plane, wrong, pose):
+    points = np.insert(plane, 5, [1.0, wrong, 1.0], axis=0)
+    np.savez(tmp_path / "scan.npz", points=points, **({} if pose is None else {"pose": pose}))
+    out = tmp_path / "out"
+    flags = ["--output", str(out), "--clouds", "las"]
+    assert main(["run", str(tmp_path / "scan.npz"), *flags]) == 0
+    las = laspy.read(out / "scan.las")
+    expected = plane if pose is None else plane * [1, -1, -1]
+    np.testing.assert_allclose(las.xyz, expected, atol=6e-4)
+    assert np.isfinite(las.height_above_ground).all()
+    assert np.fromfile(out / "scan.label", np.uint32).size == len(points)

@@ -20,11 +20,15 @@ from ..output_files import hidden_file
 # ASPRS: never classified, ground, unclassified, low noise.
 ASPRS = {Label.UNKNOWN: 0, Label.GROUND: 2, Label.OBSTACLE: 1, Label.OUTLIER: 7}
 LAS_STEP_M = 0.001
+# From the middle of the points. LAS has 32-bit integers, which hold 2147 km in such steps, and two
+# points are up to twice this apart.
+LAS_REACH_M = 1e6
 # What takes the place of types that clouds have not.
 FILE_TYPES = {"b1": np.dtype("u1"), "f2": np.dtype("f4")}
 # What write_cloud() puts behind the fields of the scan, in place of any of these names.
 ANSWERS = frozenset({"label", "height_above_ground"})
 Fields = Mapping[str, npt.NDArray[Any]]
+Places = npt.NDArray[np.float64]
 
 
 def without_blanks(names: Iterable[str]) -> list[str]:
@@ -74,7 +78,8 @@ def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -
     """A LAS or LAZ file with the ASPRS classes; complete or not at all.
 
     That of a LAS file is the same file with other classes; of other scans points are in the map
-    frame where the pose is known, else in the sensor's, and those that are not finite are left out.
+    frame where the pose is known, else in the sensor's, and those that LAS cannot hold, not finite
+    or 1000 km and more off the others, are left out.
     """
     laspy = require("laspy", "geo", "writing LAS")
     classes = np.zeros(len(result.labels), np.uint8)
@@ -85,9 +90,10 @@ def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -
         with las_errors(source):
             las = laspy.read(source)
     else:
-        finite = np.isfinite(scan.points[:, :3]).all(axis=1)
-        las = new_las(laspy, scan.points[finite], scan.pose)
-        classes, heights = classes[finite], heights[finite]
+        places = map_places(scan)
+        held = held_by_las(places)
+        las = new_las(laspy, places[held], scan.points[held, 3])
+        classes, heights = classes[held], heights[held]
     if "height_above_ground" not in las.point_format.dimension_names:
         las.add_extra_dim(laspy.ExtraBytesParams("height_above_ground", "float32", "metres"))
     las.classification = classes
@@ -96,16 +102,33 @@ def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -
         las.write(hidden)
 
 
-def new_las(laspy: Any, points: npt.NDArray[np.float32], pose: npt.NDArray[Any] | None) -> Any:
-    places = points[:, :3].astype(np.float64)
-    if pose is not None:
-        places = places @ pose[:3, :3].T + pose[:3, 3]
+def map_places(scan: Scan) -> Places:
+    """x, y, z in the map frame where the pose is known, else in the sensor's; NaN stays NaN."""
+    places = scan.points[:, :3].astype(np.float64)
+    # Infinity times a rotation's zeros would warn.
+    places[~np.isfinite(places).all(axis=1)] = np.nan
+    return places if scan.pose is None else places @ scan.pose[:3, :3].T + scan.pose[:3, 3]
+
+
+def held_by_las(places: Places) -> npt.NDArray[np.bool_]:
+    """Which are finite and no farther from the middle one than LAS reaches."""
+    finite: npt.NDArray[np.bool_] = np.logical_and.reduce(np.isfinite(places), axis=1)
+    if not finite.any():
+        return finite
+    # The median, as the mean goes wherever a single wrong point is.
+    middle = np.median(places[finite], axis=0)
+    close = np.abs(places - middle) < LAS_REACH_M
+    near: npt.NDArray[np.bool_] = np.logical_and.reduce(close, axis=1)
+    return near
+
+
+def new_las(laspy: Any, places: Places, intensity: npt.NDArray[np.float32]) -> Any:
     header = laspy.LasHeader(version="1.4", point_format=6)
     header.scales = np.full(3, LAS_STEP_M)
-    header.offsets = np.floor(places.mean(axis=0)) if len(places) else np.zeros(3)
+    header.offsets = np.floor(np.median(places, axis=0)) if len(places) else np.zeros(3)
     las = laspy.LasData(header)
     las.x, las.y, las.z = places.T
-    las.intensity = np.clip(np.nan_to_num(points[:, 3]), 0, 65535).astype(np.uint16)
+    las.intensity = np.clip(np.nan_to_num(intensity), 0, 65535).astype(np.uint16)
     return las
 
 
