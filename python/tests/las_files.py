@@ -6,8 +6,8 @@ from laspy.vlrs.known import GeoKeyDirectoryVlr, GeoKeyEntryStruct, WktCoordinat
 
 
 def geo_keys(**keys):
-    """A record of GeoTIFF keys: of the projected system, the length and the vertical unit."""
-    numbers = {"projected": 3072, "unit": 3076, "vertical": 4099}
+    """A record of GeoTIFF keys: of the model, the systems, the length and the vertical unit."""
+    numbers = {"model": 1024, "geographic": 2048, "projected": 3072, "unit": 3076, "vertical": 4099}
     vlr = GeoKeyDirectoryVlr()
     for name, value in keys.items():
         entry = GeoKeyEntryStruct()

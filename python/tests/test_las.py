@@ -45,6 +45,9 @@ def test_coordinates_of_a_map_are_told_from_the_middle_and_the_pose_leads_back(t
         (geo_keys(projected=2903), US_FOOT, US_FOOT),
         (geo_keys(projected=32767, unit=9002, vertical=9001), FOOT, 1.0),
         (geo_keys(projected=32632, vertical=9002), 1.0, FOOT),
+        (geo_keys(model=1, geographic=4269, projected=32767, unit=9002), FOOT, FOOT),
+        (geo_keys(model=1, geographic=4326, unit=9001), 1.0, 1.0),
+        (geo_keys(geographic=4326, projected=32632), 1.0, 1.0),
         (wkt(COMPOUND), FOOT, 1.0),
     ],
 )
@@ -72,12 +75,25 @@ def test_files_that_are_cut_short_are_refused(tmp_path, name, keep):
         groundgrid.datasets.open(file)[0]
 
 
-def test_degrees_are_refused(tmp_path):
-    degrees = ('GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
-               'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]')
-    write_las(tmp_path / "scan.las", NEAR, vlr=wkt(degrees))
-    with pytest.raises(ValueError, match="expected coordinates in metres or feet, got degrees"):
+DEGREES = (
+    'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+    'PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]]'
+)
+
+
+@pytest.mark.parametrize(
+    "vlr",
+    [wkt(DEGREES), geo_keys(model=2, geographic=4326), geo_keys(model=2), geo_keys(geographic=4326),
+     geo_keys(model=32767, geographic=4326, vertical=9001)],
+)
+def test_degrees_are_refused(tmp_path, vlr):
+    write_las(tmp_path / "scan.las", NEAR, vlr=vlr)
+    words = "scan.las: .*expected coordinates in metres or feet, got degrees"
+    with pytest.raises(ValueError, match=words):
         groundgrid.datasets.open(tmp_path / "scan.las")[0]
+
+
+def test_what_is_not_there_is_said(tmp_path):
     with pytest.raises(FileNotFoundError, match="nothing.laz"):
         groundgrid.datasets.open(tmp_path / "nothing.laz")
 

@@ -11,8 +11,12 @@ from typing import Any
 
 from .extras import require
 
+MODEL, GEOGRAPHIC_SYSTEM = 1024, 2048
 PROJECTED_SYSTEM, LENGTH_UNIT, VERTICAL_UNIT = 3072, 3076, 4099
 USER_DEFINED = 32767
+# Values of MODEL.
+PROJECTED, GEOGRAPHIC, GEOCENTRIC = 1, 2, 3
+DEGREES = "expected coordinates in metres or feet, got degrees: project it first"
 UNITS_M = {9001: 1.0, 9002: 0.3048, 9003: 1200 / 3937}
 
 
@@ -65,7 +69,7 @@ def units_of(header: Any) -> Units:
 def units_by_wkt(wkt: str) -> Units:
     crs = require("rasterio.crs", "geo", "reading LAS").CRS.from_wkt(horizontal_part(wkt))
     if crs.is_geographic:
-        raise ValueError("expected coordinates in metres or feet, got degrees: project it first")
+        raise ValueError(DEGREES)
     horizontal_m = float(crs.linear_units_factor[1])
     vertical = re.search(r'VERT_?(?:CS|CRS)\[.*UNIT\["[^"]*",\s*([0-9.eE+-]+)', wkt, re.DOTALL)
     if vertical:
@@ -90,6 +94,8 @@ def horizontal_part(wkt: str) -> str:
 
 def units_by_keys(keys: dict[int, int]) -> Units:
     rasterio = require("rasterio.crs", "geo", "reading LAS")
+    if has_degrees(keys):
+        raise ValueError(DEGREES)
     number = keys.get(PROJECTED_SYSTEM, USER_DEFINED)
     crs = None if number == USER_DEFINED else rasterio.CRS.from_epsg(number)
     horizontal_m = 1.0 if crs is None else float(crs.linear_units_factor[1])
@@ -98,3 +104,11 @@ def units_by_keys(keys: dict[int, int]) -> Units:
     if vertical_m is None and horizontal_m == 1.0:
         vertical_m = 1.0
     return Units(horizontal_m, vertical_m, crs)
+
+
+def has_degrees(keys: dict[int, int]) -> bool:
+    """By the model, else where the only system is one of latitude and longitude."""
+    model = keys.get(MODEL)
+    if model in (PROJECTED, GEOGRAPHIC, GEOCENTRIC):
+        return model == GEOGRAPHIC
+    return GEOGRAPHIC_SYSTEM in keys and PROJECTED_SYSTEM not in keys
