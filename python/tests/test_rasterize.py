@@ -1,5 +1,7 @@
 """groundgrid-py rasterize, on tiles whose cells are worked out by hand."""
 
+import struct
+
 import numpy as np
 import pytest
 import rasterio
@@ -96,6 +98,53 @@ def test_the_unit_of_heights_is_asked_for(tmp_path, capsys):
     write_las(tmp_path / "tile.las", PLACES, CLASSES, geo_keys(projected=2903))
     assert main(["rasterize", str(tmp_path / "tile.las")]) == 1
     assert "expected the unit of the heights" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("cell", [0.1, 0.2, 0.3, 0.5])
+def test_points_at_the_edges_of_cells_are_within_the_bounds(tmp_path, cell):
+    """Steps of a centimetre around places of a map, which are edges of cells again and again."""
+    random = np.random.default_rng(1)
+    for number in range(20):
+        corner = random.integers([3000000, 40000000], [7000000, 60000000]) / 10
+        places = np.column_stack([corner + random.integers(0, 400, (30, 2)) / 100, np.full(30, 5)])
+        write_las(tmp_path / "tile.las", places, np.full(30, 2), scale=0.01)
+        assert main(["rasterize", str(tmp_path / "tile.las"), "--cell-m", str(cell)]) == 0, number
+        _, counts, raster = read(tmp_path / "tile.tif")
+        assert counts.sum() == 30
+        west, south, east, north = raster.bounds
+        low, high = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
+        assert (low - [west, south] > -1e-6).all() and (low - [west, south] < cell + 1e-6).all()
+        assert ([east, north] - high > -1e-6).all() and ([east, north] - high < cell + 1e-6).all()
+        edges = np.array(raster.bounds) / cell
+        np.testing.assert_allclose(edges, np.round(edges), rtol=0, atol=1e-6)
+
+
+def test_a_tile_whose_edges_round_otherwise_than_its_points(tmp_path):
+    places = np.array([[500000.0, 4000190.5, 1.0], [500001.0, 4000192.74, 2.0]])
+    write_las(tmp_path / "tile.las", places, [2, 2], scale=0.01)
+    assert main(["rasterize", str(tmp_path / "tile.las"), "--cell-m", "0.1"]) == 0
+    heights = read(tmp_path / "tile.tif")[0]
+    assert heights[0, -1] == 2 and heights[-1, 0] == 1 and heights.count() == 2
+
+
+def with_bounds(path, **bounds):
+    """The same file with other bounds in its header."""
+    content = bytearray(path.read_bytes())
+    for name, value in bounds.items():
+        struct.pack_into("<d", content, {"east": 179, "west": 187, "north": 195}[name], value)
+    path.write_bytes(content)
+
+
+def test_bounds_may_be_rounded_by_less_than_a_step(tmp_path, capsys):
+    tile = write_las(tmp_path / "tile.las", PLACES, CLASSES, scale=0.01)
+    with_bounds(tile, west=0.704, east=2.496, north=2.396)
+    assert main(["rasterize", str(tile), "--class", "2", "--class", "9"]) == 0
+    heights, counts, raster = read(tmp_path / "tile.tif")
+    assert raster.bounds == (0.5, 1.0, 2.5, 2.5) and counts.sum() == 4
+    assert heights[0, :2].tolist() == [12.0, 10.5] and heights[2, 3] == 7.0
+    with_bounds(tile, east=2.48)
+    assert main(["rasterize", str(tile), "--class", "9"]) == 1
+    assert "points outside of the bounds that the header has" in capsys.readouterr().err
 
 
 def test_a_real_tile_in_feet(tmp_path, real_data):

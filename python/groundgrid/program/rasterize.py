@@ -89,47 +89,59 @@ def units_given(units: Units, options: argparse.Namespace) -> Units:
 class HeightSums:
     """Sums of heights on a grid, row 0 in the north, in the units of the tile."""
 
-    west: float
-    north: float
+    bounds: npt.NDArray[np.float64]
+    """Of the header: west and south, east and north."""
     cell: float
+    corner_cell: npt.NDArray[np.int64]
+    """That of west and south; cell 0 begins at 0."""
     heights: npt.NDArray[np.float64]
     counts: npt.NDArray[np.uint32]
 
     @staticmethod
     def over(header: Any, cell: float) -> HeightSums:
         """Edges lie on multiples of the cell, so that tiles side by side fit together."""
-        west, south = (np.floor(each / cell) for each in header.mins[:2])
+        bounds = np.array([header.mins[:2], header.maxs[:2]], np.float64)
+        first, last = np.floor(bounds / cell)
         # A point on the eastern or northern edge belongs to the cell beyond.
-        columns, rows = (np.floor(each / cell) - low + 1
-                         for each, low in zip(header.maxs[:2], (west, south)))
-        if not 0 < columns * rows <= MOST_CELLS:
+        columns, rows = last - first + 1
+        if not (columns > 0 and rows > 0 and columns * rows <= MOST_CELLS):
             raise ValueError(f"bounds of {columns:.0f} x {rows:.0f} cells, of which {MOST_CELLS} "
                              "would be possible")
         shape = int(rows), int(columns)
-        return HeightSums(west * cell, (south + rows) * cell, cell, np.zeros(shape),
+        return HeightSums(bounds, cell, first.astype(np.int64), np.zeros(shape),
                           np.zeros(shape, np.uint32))
 
     def add(self, points: Any, classes: npt.NDArray[Any]) -> None:
-        rows, columns = self.counts.shape
         chosen = np.isin(np.asarray(points.classification), classes)
         if hasattr(points, "withheld"):
             chosen &= np.asarray(points.withheld) == 0
-        column = np.floor((np.asarray(points.x)[chosen] - self.west) / self.cell).astype(np.int64)
-        row = np.ceil((self.north - np.asarray(points.y)[chosen]) / self.cell).astype(np.int64) - 1
-        if len(row) and not (0 <= row.min() and row.max() < rows and 0 <= column.min()
-                             and column.max() < columns):
-            raise ValueError("points outside of the bounds that the header has")
-        cells, places = np.unique(row * columns + column, return_inverse=True)
+        row, column = self._cells_of(points, chosen)
+        cells, places = np.unique(row * self.counts.shape[1] + column, return_inverse=True)
         heights = np.asarray(points.z)[chosen]
         self.heights.reshape(-1)[cells] += np.bincount(places, heights, len(cells))
         self.counts.reshape(-1)[cells] += np.bincount(places, minlength=len(cells)).astype(np.uint32)
+
+    def _cells_of(
+        self, points: Any, chosen: npt.NDArray[np.bool_]
+    ) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
+        """Rows and columns, by the same division as that of the bounds: others round otherwise."""
+        places = np.stack([np.asarray(points.x)[chosen], np.asarray(points.y)[chosen]], axis=1)
+        held = np.clip(places, *self.bounds)
+        # Programs round the bounds of the header; less than a step of the file is no other place.
+        places = np.where(np.abs(places - held) < points.scales[:2], held, places)
+        column, north = (np.floor(places / self.cell).astype(np.int64) - self.corner_cell).T
+        rows, columns = self.counts.shape
+        if not ((0 <= north) & (north < rows) & (0 <= column) & (column < columns)).all():
+            raise ValueError("points outside of the bounds that the header has")
+        return rows - 1 - north, column
 
     def write(self, path: str | os.PathLike[str], vertical_m: float, crs: Any) -> None:
         known = self.counts > 0
         means = np.full(known.shape, NO_DATA, np.float32)
         means[known] = self.heights[known] / self.counts[known] * vertical_m
-        with open_raster(path, shape=self.counts.shape, corner=(self.west, self.north),
-                         cell_size=self.cell, crs=crs, bands=("height", "count"),
-                         units=("m", "")) as raster:
+        west, south = map(int, self.corner_cell)
+        corner = west * self.cell, (south + len(known)) * self.cell
+        with open_raster(path, shape=known.shape, corner=corner, cell_size=self.cell,
+                         crs=crs, bands=("height", "count"), units=("m", "")) as raster:
             raster.write(means, 1)
             raster.write(self.counts.astype(np.float32), 2)
