@@ -82,6 +82,8 @@ def test_withheld_points_do_not_count(tmp_path):
         (["--cell-m", "0"], "--cell-m: expected metres, more than 0, got 0"),
         (["--cell-m", "1e-6"], "cells, of which 400000000 would be possible"),
         (["--crs", "EPSG:0"], "--crs: "),
+        (["--crs", "EPSG:4326"], "--crs: expected a system in metres or feet, got degrees"),
+        (["--output", "{}/tile.las"], "tile.las: expected another file for --output than the tile"),
         (["--output", "{}/no/such/folder.tif"], "folder.tif: expected the folder "),
     ],
 )
@@ -92,6 +94,26 @@ def test_what_cannot_be_is_said_and_leaves_nothing(tmp_path, capsys, flags, word
     error = capsys.readouterr().err
     assert error.startswith("groundgrid-py: ") and words in error
     assert [each.name for each in tmp_path.iterdir()] == ["tile.las"]
+
+
+@pytest.mark.parametrize("link", ["symlink_to", "hardlink_to"])
+def test_the_tile_is_never_the_output_by_any_name(tmp_path, capsys, link):
+    tile = write_las(tmp_path / "tile.las", PLACES, CLASSES)
+    content = tile.read_bytes()
+    getattr(tmp_path / "tile.tif", link)(tile)
+    assert main(["rasterize", str(tile)]) == 1
+    assert "tile.tif: expected another file for --output" in capsys.readouterr().err
+    assert tile.read_bytes() == content
+    assert sorted(each.name for each in tmp_path.iterdir()) == ["tile.las", "tile.tif"]
+
+
+def test_a_system_is_checked_and_that_of_the_tile_wins(tmp_path, capsys):
+    tile = write_las(tmp_path / "tile.las", PLACES, CLASSES, geo_keys(projected=32632))
+    assert main(["rasterize", str(tile), "--crs", "nonsense"]) == 1
+    assert "--crs: " in capsys.readouterr().err
+    assert [each.name for each in tmp_path.iterdir()] == ["tile.las"]
+    assert main(["rasterize", str(tile), "--crs", "EPSG:25833"]) == 0
+    assert read(tmp_path / "tile.tif")[2].crs.to_epsg() == 32632
 
 
 def test_the_unit_of_heights_is_asked_for(tmp_path, capsys):

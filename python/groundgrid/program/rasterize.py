@@ -35,7 +35,8 @@ def add_to(commands: Any) -> None:
     parser.add_argument("--class", type=int, action="append", dest="classes", metavar="NUMBER",
                         help=f"ASPRS class of the ground; may be repeated [{GROUND}]")
     parser.add_argument("--height-unit", choices=UNITS, help="where the tile does not tell it")
-    parser.add_argument("--crs", help="where the tile names none, e.g. EPSG:2903; units as there")
+    parser.add_argument("--crs", help="where the tile names none, e.g. EPSG:2903; units as there. "
+                        "The tile's own wins")
     parser.set_defaults(command=rasterize)
 
 
@@ -43,10 +44,13 @@ def rasterize(options: argparse.Namespace) -> None:
     if not options.cell_m > 0:
         raise ValueError(f"--cell-m: expected metres, more than 0, got {options.cell_m:g}")
     output = options.output or Path(options.tile.with_suffix(".tif").name)
+    if output.exists() and options.tile.exists() and output.samefile(options.tile):
+        raise ValueError(f"{output}: expected another file for --output than the tile")
+    crs = system_given(options)
     with open_las(options.tile) as reader:
         with las_errors(options.tile):
             units = units_of(reader.header)
-        units = units_given(units, options)
+        units = units_given(units, crs, options)
         with las_errors(options.tile):
             sums = HeightSums.over(reader.header, options.cell_m / units.horizontal_m)
         classes = np.array(options.classes or [GROUND])
@@ -65,16 +69,25 @@ def rasterize(options: argparse.Namespace) -> None:
           f" {100 * share:.1f} % with a height, from {int(sums.counts.sum())} ground points")
 
 
-def units_given(units: Units, options: argparse.Namespace) -> Units:
+def system_given(options: argparse.Namespace) -> Any:
+    """rasterio's CRS of --crs; None without it. Raises ValueError where it is none of a map."""
+    if options.crs is None:
+        return None
+    errors = require("rasterio.errors", "geo", "writing a GeoTIFF")
+    try:
+        crs = require("rasterio.crs", "geo", "writing a GeoTIFF").CRS.from_user_input(options.crs)
+    except errors.CRSError as error:
+        raise ValueError(f"--crs: {error}") from error
+    if crs.is_geographic:
+        raise ValueError(f"--crs: expected a system in metres or feet, got degrees: {options.crs}")
+    return crs
+
+
+def units_given(units: Units, given_crs: Any, options: argparse.Namespace) -> Units:
     """With what the command line says where the tile does not."""
     crs, horizontal_m, vertical_m = units.crs, units.horizontal_m, units.vertical_m
-    if options.crs is not None and crs is None:
-        errors = require("rasterio.errors", "geo", "writing a GeoTIFF")
-        try:
-            crs = require("rasterio.crs", "geo", "writing a GeoTIFF").CRS.from_user_input(
-                options.crs)
-        except errors.CRSError as error:
-            raise ValueError(f"--crs: {error}") from error
+    if given_crs is not None and crs is None:
+        crs = given_crs
         horizontal_m = float(crs.linear_units_factor[1])
         vertical_m = 1.0 if horizontal_m == 1.0 else vertical_m
     if options.height_unit is not None:
