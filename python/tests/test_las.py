@@ -1,5 +1,7 @@
 """LAS and LAZ, with coordinates of a sensor and of a map, in metres and feet."""
 
+import struct
+
 import numpy as np
 import pytest
 from las_files import geo_keys, write_las, wkt
@@ -72,6 +74,20 @@ def test_files_that_are_cut_short_are_refused(tmp_path, name, keep):
     file = write_las(tmp_path / name, np.random.default_rng(1).uniform(0, 9, (500, 3)))
     file.write_bytes(file.read_bytes()[:keep])
     with pytest.raises(ValueError, match=f"{name}: expected a LAS or LAZ file"):
+        groundgrid.datasets.open(file)[0]
+
+
+@pytest.mark.parametrize("name", ["scan.las", "scan.laz"])
+@pytest.mark.parametrize("place", [100, 243])
+@pytest.mark.parametrize("count", [100, 100_000])
+def test_more_records_than_the_file_can_hold_are_refused(tmp_path, name, place, count):
+    file = write_las(tmp_path / name, NEAR)
+    content = bytearray(file.read_bytes())
+    struct.pack_into("<I", content, place, count)
+    file.write_bytes(content)
+    # With billions laspy would not come back.
+    words = f"{name}: expected a LAS or LAZ file, got: {count} records of"
+    with pytest.raises(ValueError, match=words):
         groundgrid.datasets.open(file)[0]
 
 

@@ -11,6 +11,9 @@ from typing import Any
 
 from .extras import require
 
+# Places in the header of LAS, and what a record takes without its content.
+MINOR_VERSION, VLR_COUNT, EVLR_COUNT, HEADER_1_4_BYTES = 25, 100, 243, 375
+VLR_BYTES, EVLR_BYTES = 54, 60
 MODEL, GEOGRAPHIC_SYSTEM = 1024, 2048
 PROJECTED_SYSTEM, LENGTH_UNIT, VERTICAL_UNIT = 3072, 3076, 4099
 USER_DEFINED = 32767
@@ -52,9 +55,29 @@ def open_las(path: Path) -> Iterator[Any]:
     if not path.is_file():
         raise FileNotFoundError(f"{path}: expected a LAS or LAZ file, got nothing of that name")
     with las_errors(path):
+        check_records(path)
         reader = laspy.open(path)
     with reader:
         yield reader
+
+
+def check_records(path: Path) -> None:
+    """Raises ValueError where the header counts more records than the file can hold.
+
+    laspy makes as many as are counted, behind the end of the file, too.
+    """
+    size = path.stat().st_size
+    with path.open("rb") as file:
+        header = file.read(HEADER_1_4_BYTES)
+    if header[:4] != b"LASF":
+        return  # laspy says so.
+    counts = [(VLR_COUNT, VLR_BYTES)]
+    if header[MINOR_VERSION : MINOR_VERSION + 1] >= b"\x04":
+        counts.append((EVLR_COUNT, EVLR_BYTES))
+    for place, least in counts:
+        count = int.from_bytes(header[place : place + 4], "little")
+        if count * least > size:
+            raise ValueError(f"{count} records of {least} bytes and more in a file of {size} bytes")
 
 
 def units_of(header: Any) -> Units:

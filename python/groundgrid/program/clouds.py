@@ -13,7 +13,7 @@ import numpy.typing as npt
 from .._core import Label, ScanResult, write_cloud
 from ..datasets import LasDataset, Scan
 from ..datasets.extras import require
-from ..datasets.las_units import las_errors
+from ..datasets.las_units import las_errors, open_las
 from ..evaluation import to_semantic_kitti
 from ..output_files import hidden_file
 
@@ -87,8 +87,8 @@ def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -
         classes[result.labels == label] = number
     heights = result.height_above_ground
     if source is not None:
-        with las_errors(source):
-            las = laspy.read(source)
+        with open_las(source) as reader, las_errors(source):
+            las = reader.read()
     else:
         places = map_places(scan)
         held = held_by_las(places)
