@@ -1,5 +1,8 @@
 """Scans in NumPy's own files, and poses for them."""
 
+import io
+import zipfile
+
 import numpy as np
 import pytest
 
@@ -105,7 +108,18 @@ def test_any_rotation_comes_back_from_its_quaternion(turn, axis):
         ("a.npy", {"points": np.array(["x", "y"])}, "expected N x 3 or more numbers"),
         ("a.npz", {"x": np.zeros(3), "y": np.zeros(3)}, "got none named z"),
         ("a.npz", {"points": POINTS, "labels": np.zeros(4)}, "labels: expected 5 of them"),
+        ("a.npz", {"points": POINTS, "labels": np.full(5, np.nan)}, "labels: expected finite"),
+        ("a.npz", {"points": POINTS, "labels": np.full(5, "car")}, "labels: expected numbers, got"),
         ("a.npz", {"points": POINTS, "pose": np.eye(3)}, "pose: expected 4 x 4"),
+        ("a.npz", {"points": POINTS, "pose": np.full((4, 4), np.nan)}, "pose: expected finite"),
+        ("a.npz", {"points": POINTS, "pose": np.full((4, 4), "a")}, "pose: expected numbers, got"),
+        ("a.npz", {"points": POINTS, "pose": 2 * np.eye(4)}, "pose: expected a rotation and a"),
+        ("a.npz", {"points": POINTS, "pose": np.diag([1, 1, -1, 1])}, "pose: expected a rotation"),
+        ("a.npz", {"points": POINTS, "pose": np.eye(4) + np.diag([2e9], 3)}, "pose: expected a pl"),
+        ("a.npz", {"points": POINTS, "pose": np.diag([1, 1, 1, 2])}, "pose: expected 0 0 0 1"),
+        ("a.npz", {"points": POINTS, "time_s": np.zeros(2)}, "time_s: expected a single number"),
+        ("a.npz", {"points": POINTS, "time_s": np.nan}, "time_s: expected finite numbers, got NaN"),
+        ("a.npz", {"points": POINTS, "time_s": "noon"}, "time_s: expected numbers, got"),
     ],
 )
 def test_arrays_that_are_no_scan_are_refused(tmp_path, name, content, words):
@@ -126,6 +140,57 @@ def test_files_that_are_cut_short_are_refused(tmp_path, name, keep):
     file.write_bytes(file.read_bytes()[:keep])
     with pytest.raises(ValueError, match=name):
         ArrayDataset(file)[0]
+
+
+def damaged_member(path, compression, change):
+    """A .npz file with ring.npy as change() makes it."""
+    buffer = io.BytesIO()
+    np.save(buffer, np.arange(5, dtype=np.uint8))
+    with zipfile.ZipFile(path, "w", compression) as archive:
+        archive.writestr("ring.npy", change(buffer.getvalue()))
+
+
+def test_damage_of_an_array_is_said_with_its_name(tmp_path):
+    file = tmp_path / "a.npz"
+    words = r"a.npz: ring: expected an array, got"
+    # A header without its last brace, and one whose keys are not all text.
+    for old, new in ((b"}", b" "), (b"'shape'", b"b'hape'")):
+        damaged_member(file, zipfile.ZIP_STORED, lambda data: data.replace(old, new))
+        with pytest.raises(ValueError, match=words):
+            ArrayDataset(file)[0]
+    damaged_member(file, zipfile.ZIP_STORED, lambda data: b"no array")
+    with pytest.raises(ValueError, match=words):
+        ArrayDataset(file)[0]
+
+
+@pytest.mark.parametrize(
+    ("place", "value"),
+    [
+        ("data", b"\xff"),
+        # In the list at the end: a member that is encrypted, and one of an unknown compression.
+        (8, b"\x01"),
+        (10, b"\x63"),
+    ],
+)
+def test_damage_of_an_archive_is_said_with_the_array(tmp_path, place, value):
+    file = tmp_path / "a.npz"
+    damaged_member(file, zipfile.ZIP_DEFLATED, bytes)
+    content = file.read_bytes()
+    # Behind the 30 bytes before a member's name.
+    begin = 30 + len("ring.npy") if place == "data" else content.index(b"PK\x01\x02") + place
+    if place == 8:
+        content = content[:6] + value + content[7:]
+    file.write_bytes(content[:begin] + value + content[begin + 1 :])
+    with pytest.raises(ValueError, match=r"a.npz: ring: expected an array, got"):
+        ArrayDataset(file)[0]
+
+
+def test_a_header_of_one_array_that_is_no_python_is_refused(tmp_path):
+    np.save(tmp_path / "a.npy", POINTS)
+    content = (tmp_path / "a.npy").read_bytes()
+    (tmp_path / "a.npy").write_bytes(content.replace(b"}", b" ", 1))
+    with pytest.raises(ValueError, match="a.npy"):
+        ArrayDataset(tmp_path / "a.npy")[0]
 
 
 def test_a_header_that_promises_too_much_is_refused(tmp_path):
