@@ -98,9 +98,12 @@ nb::object read_labels(const io::ScanSequence& sequence, const io::ScanFile& sca
 
 void bind_scan_files(nb::module_& module) {
   nb::class_<io::ScanFile>(module, "ScanFile", "One scan on disk.")
-      .def_ro("name", &io::ScanFile::name, "The file's name without its ending.")
       .def_prop_ro(
-          "path", [](const io::ScanFile& self) { return self.path.string(); }, "Where it is.");
+          "name", [](const io::ScanFile& self) { return name_of_path(self.name); },
+          nb::for_getter(nb::sig("def name(self) -> str")), "The file's name without its ending.")
+      .def_prop_ro(
+          "path", [](const io::ScanFile& self) { return name_of_path(self.path); },
+          nb::for_getter(nb::sig("def path(self) -> str")), "Where it is.");
   nb::class_<io::ScanSequence>(module, "ScanSequence", "Scans on disk that belong together.")
       .def_ro("name", &io::ScanSequence::name, "Of the sequence; empty outside of a dataset.")
       .def_ro("scans", &io::ScanSequence::scans, "In the order in which they were taken.");

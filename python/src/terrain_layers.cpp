@@ -1,9 +1,11 @@
 #include "groundgrid/terrain_layers.hpp"
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <mutex>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "array_input.hpp"
@@ -29,14 +31,41 @@ std::vector<Label> labels_from(nb::handle array) {
   return labels;
 }
 
-void update_from_map(TerrainLayers& self, SharedGrid& grid, const TraversabilityLimits& limits) {
-  grid.visit([&](const GroundGrid& map) {
-    self.update(map.terrain(), limits);
-    return true;
+/// The layers of a map, whose callers take turns.
+class SharedLayers {
+ public:
+  explicit SharedLayers(double window_m) : layers_(window_m) {}
+
+  /// `write` gets the layers and the map; it runs without the GIL.
+  template <typename Write>
+  void update(SharedGrid& grid, const Write& write) {
+    grid.visit([&](const GroundGrid& map) {
+      const std::lock_guard turn(mutex_);
+      write(layers_, map);
+      return true;
+    });
+  }
+
+  /// What `read` makes of the layers as they stand; it runs without the GIL.
+  template <typename Read>
+  auto visit(const Read& read) {
+    const nb::gil_scoped_release no_gil;
+    const std::lock_guard turn(mutex_);
+    return read(layers_);
+  }
+
+ private:
+  std::mutex mutex_;
+  TerrainLayers layers_;
+};
+
+void update_from_map(SharedLayers& self, SharedGrid& grid, const TraversabilityLimits& limits) {
+  self.update(grid, [&](TerrainLayers& layers, const GroundGrid& map) {
+    layers.update(map.terrain(), limits);
   });
 }
 
-void update(TerrainLayers& self, SharedGrid& grid, nb::object points, nb::handle pose,
+void update(SharedLayers& self, SharedGrid& grid, nb::object points, nb::handle pose,
             nb::handle labels, nb::object mounting, const TraversabilityLimits& limits) {
   if (points.is_none() != labels.is_none())
     throw nb::value_error("points and labels: expected both or neither");
@@ -44,29 +73,43 @@ void update(TerrainLayers& self, SharedGrid& grid, nb::object points, nb::handle
   const ScanArrays scans({{std::move(points), std::move(mounting), nb::none(), nb::none()}});
   const std::vector<Label> answers = labels_from(labels);
   const Eigen::Isometry3d T_map_base = transform_from(pose, "pose");
-  grid.visit([&](const GroundGrid& map) {
+  self.update(grid, [&](TerrainLayers& layers, const GroundGrid& map) {
     std::vector<std::vector<std::byte>> copies;
-    self.update(map.terrain(), scans.views(copies), T_map_base, answers, limits);
-    return true;
+    layers.update(map.terrain(), scans.views(copies), T_map_base, answers, limits);
   });
 }
 
-template <typename Number>
-nb::object layer(const TerrainLayers& self, std::span<const Number> cells) {
-  const auto side = static_cast<std::size_t>(self.size());
-  return to_array(std::vector<Number>(cells.begin(), cells.end()), {side, side});
+int size_of(SharedLayers& self) {
+  return self.visit([](const TerrainLayers& layers) { return layers.size(); });
 }
 
-nb::object traversability(const TerrainLayers& self) {
-  std::vector<std::uint8_t> numbers;
-  for (const Traversability each : self.traversability())
-    numbers.push_back(static_cast<std::uint8_t>(each));
-  return layer(self, std::span<const std::uint8_t>(numbers));
+/// One layer as it stood at one moment, and cells along each side.
+template <typename Number>
+struct LayerCopy {
+  std::size_t side;
+  std::vector<Number> cells;
+};
+
+template <typename Number>
+nb::object to_square(LayerCopy<Number> layer) {
+  return to_array(std::move(layer.cells), {layer.side, layer.side});
+}
+
+nb::object traversability(SharedLayers& self) {
+  return to_square(self.visit([](const TerrainLayers& layers) {
+    LayerCopy<std::uint8_t> copy{static_cast<std::size_t>(layers.size()), {}};
+    for (const Traversability each : layers.traversability())
+      copy.cells.push_back(static_cast<std::uint8_t>(each));
+    return copy;
+  }));
 }
 
 template <auto Layer>
-nb::object float_layer(const TerrainLayers& self) {
-  return layer(self, (self.*Layer)());
+nb::object float_layer(SharedLayers& self) {
+  return to_square(self.visit([](const TerrainLayers& layers) {
+    const std::span<const float> cells = (layers.*Layer)();
+    return LayerCopy<float>{static_cast<std::size_t>(layers.size()), {cells.begin(), cells.end()}};
+  }));
 }
 
 void bind_limits(nb::module_& module) {
@@ -119,7 +162,7 @@ void bind_terrain_layers(nb::module_& module) {
   const auto getter = [&](const char* name) {
     return std::string("def ") + name + "(self) -> " + array;
   };
-  nb::class_<TerrainLayers> layers(
+  nb::class_<SharedLayers> layers(
       module, "TerrainLayers",
       "What planners ask of the map beyond its height: slope, step, roughness, obstacles, and\n"
       "whether a cell can be driven over. Layers have the shape and order of those of Terrain and\n"
@@ -140,7 +183,7 @@ void bind_terrain_layers(nb::module_& module) {
       "GroundGrid.process() got last and labels those that it gave; without them obstacles are\n"
       "told from the least and greatest height of each cell alone. Raises ValueError where there\n"
       "is not one label a point.");
-  layers.def_prop_ro("size", &TerrainLayers::size, "Cells along x and y; 0 before update().");
+  layers.def_prop_ro("size", &size_of, "Cells along x and y; 0 before update().");
   const auto add = [&](const char* name, auto read, const char* doc) {
     layers.def_prop_ro(name, read, nb::for_getter(nb::sig(getter(name).c_str())), doc);
   };

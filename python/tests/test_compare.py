@@ -92,6 +92,13 @@ def test_peers_need_a_sensor_height(folder, tmp_path, capfd):
     assert main(["compare", str(tmp_path / "0.npz"), *flags]) == 0
 
 
+def test_without_peers_no_sensor_height_is_needed(folder, tmp_path, capfd, monkeypatch):
+    monkeypatch.setattr(compare, "PEERS", {"gone": not_installed})
+    np.savez(tmp_path / "0.npz", points=np.full((4, 3), 3, np.float32))
+    assert main(["compare", str(tmp_path / "0.npz")]) == 0
+    assert "Not installed: gone" in capfd.readouterr().out
+
+
 def test_a_peer_that_is_not_installed_is_told():
     assert set(peers.PEERS) == {"patchwork++", "patchwork", "linefit", "travel", "csf", "csf 0.1 m",
                                 "ransac plane"}

@@ -81,6 +81,18 @@ def test_reads_every_field_of_pcd_and_ply(tmp_path):
     assert scan.labels is None and scan.time_s is None
 
 
+def test_files_are_those_of_the_scans(tmp_path):
+    for name in ("000001.bin", "000000.bin"):
+        np.zeros((5, 4), np.float32).tofile(tmp_path / name)
+    assert FileDataset(tmp_path).files == [tmp_path / "000000.bin", tmp_path / "000001.bin"]
+
+
+def test_a_calibration_wants_poses(tmp_path):
+    np.zeros((5, 4), np.float32).tofile(tmp_path / "000000.bin")
+    with pytest.raises(ValueError, match="calibration: expected together with poses"):
+        FileDataset(tmp_path, calibration=tmp_path / "calib.txt")
+
+
 def test_bad_files_are_refused_with_the_place(tmp_path):
     with pytest.raises(FileNotFoundError, match="nothing"):
         groundgrid.datasets.open(tmp_path / "nothing")

@@ -256,6 +256,8 @@ def test_a_run_that_fails_leaves_whole_files_and_no_record(folder, recording, tm
         (["--set", "cell_size_m"], "--set: expected NAME=VALUE"),
         (["--set", "cell_sze_m=1"], "--set: expected NAME=VALUE"),
         (["--set", "cell_size_m=-1"], "cell_size_m"),
+        (["--set", "threads=many"], "--set: "),
+        (["--calibration", "calib.txt"], "got --calibration"),
         (["--config", "nothing.toml"], "nothing.toml"),
     ],
 )
@@ -272,6 +274,80 @@ def test_clouds_never_replace_the_input(folder, tmp_path, capsys):
     assert main(["run", str(tmp_path), "--output", str(scans), "--clouds", "pcd"]) == 0
     assert main(["run", str(scans), "--output", str(scans), "--clouds", "pcd"]) == 1
     assert "expected another folder for --output" in capsys.readouterr().err
+
+
+def test_clouds_never_replace_what_is_linked_or_listed(folder, tmp_path, capsys):
+    scans, links, listed = tmp_path / "scans", tmp_path / "links", tmp_path / "list.txt"
+    (tmp_path / "0.npz").write_bytes((folder / "0.npz").read_bytes())
+    assert main(["run", str(tmp_path), "--output", str(scans), "--clouds", "pcd"]) == 0
+    links.mkdir()
+    (links / "0.pcd").symlink_to(scans / "0.pcd")
+    listed.write_text("scans/0.pcd\n")
+    before = (scans / "0.pcd").read_bytes()
+    for source in (links, listed):
+        assert main(["run", str(source), "--output", str(scans), "--clouds", "pcd"]) == 1
+        assert "0.pcd: expected another file for --output" in capsys.readouterr().err
+        assert (scans / "0.pcd").read_bytes() == before
+
+
+def test_results_of_one_name_are_refused(folder, tmp_path, capsys):
+    for name in ("0.npz", "1.npz"):
+        (tmp_path / name).write_bytes((folder / name).read_bytes())
+    np.save(tmp_path / "1.npy", np.zeros((4, 3), np.float32))
+    assert main(["run", str(tmp_path), "--output", str(tmp_path / "out")]) == 1
+    error = capsys.readouterr().err
+    assert "expected one file a scan, got" in error and "1.npz" in error and "1.npy" in error
+
+
+def test_scans_without_a_pose_have_terrains_of_their_own(answers, tmp_path):
+    scans, out = tmp_path / "scans", tmp_path / "out"
+    scans.mkdir()
+    for number, (scan, _) in enumerate(answers):
+        pose = {"pose": scan.pose} if number > 0 else {}
+        np.savez(scans / f"{number}.npz", points=scan.points, **pose)
+    assert main(["run", str(scans), "--output", str(out), "--terrain"]) == 0
+    assert {"0.tif", "terrain.tif"} <= set(names_in(out)) and "1.tif" not in names_in(out)
+    with rasterio.open(out / "0.tif") as lone, rasterio.open(out / "terrain.tif") as drive:
+        assert lone.bounds.left < 0 < lone.bounds.right
+        assert lone.read(1, masked=True).count() > 1000 and drive.read(1, masked=True).count() > 1000
+    flags = ["--output", str(tmp_path / "single"), "--terrain", "--single-scan"]
+    assert main(["run", str(scans), *flags]) == 0
+    assert [name for name in names_in(tmp_path / "single") if name.endswith(".tif")] == [
+        "0.tif", "1.tif", "2.tif"]
+
+
+def test_a_scan_that_cannot_be_processed_is_named(answers, tmp_path, capsys):
+    pose = np.diag([2.0, 1.0, 1.0, 1.0])
+    np.savez(tmp_path / "7.npz", points=answers[0][0].points, pose=pose)
+    assert main(["run", str(tmp_path), "--output", str(tmp_path / "out")]) == 1
+    error = capsys.readouterr().err
+    assert str(tmp_path) in error and "7" in error and "rigid" in error
+
+
+def test_options_are_not_abbreviated(folder, tmp_path, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["run", str(folder), "--output", str(tmp_path), "--sensor-h", "1.0"])
+    assert ended.value.code == 2 and "--sensor-h" in capsys.readouterr().err
+
+
+def test_a_format_can_be_forced(scan, tmp_path):
+    records = np.zeros((len(scan.points), 4), np.float32)
+    records[:, :3] = scan.points[:, :3]
+    records.tofile(tmp_path / "scan.raw")
+    flags = ["--output", str(tmp_path / "out"), "--format", "kitti"]
+    assert main(["run", str(tmp_path / "scan.raw"), *flags]) == 0
+    assert names_in(tmp_path / "out") == ["run.json", "scan.label"]
+
+
+def test_names_may_be_any_bytes(scan, tmp_path):
+    folder = tmp_path / os.fsdecode(b"d\xff")
+    folder.mkdir()
+    records = np.zeros((len(scan.points), 4), np.float32)
+    records[:, :3] = scan.points[:, :3]
+    records.tofile(folder / os.fsdecode(b"s\xfe.bin"))
+    assert main(["run", str(folder), "--output", str(folder / "out"), "--clouds", "pcd"]) == 0
+    assert names_in(folder / "out") == ["run.json", os.fsdecode(b"s\xfe.label"),
+                                        os.fsdecode(b"s\xfe.pcd")]
 
 
 def test_parameters_reach_the_method(folder, tmp_path):

@@ -1,5 +1,7 @@
 """Layers for planners, on ground whose slope and steps are known."""
 
+import threading
+
 import numpy as np
 import pytest
 
@@ -69,6 +71,30 @@ def test_layers_are_copies():
     grid.process(ground(lambda x, y: 0.2 * x))
     layers.update(grid)
     np.testing.assert_array_equal(slope, kept)
+
+
+def test_readers_see_one_map_or_the_other(plane):
+    """While one thread makes layers of two maps in turns, another reads them."""
+    tilted = plane.copy()
+    tilted[:, 2] += 0.1 * tilted[:, 0]
+    grids = [groundgrid.GroundGrid(sensor_height_m=1.5) for _ in range(2)]
+    layers, wanted = TerrainLayers(), set()
+    for grid, points in zip(grids, (plane, tilted), strict=True):
+        grid.process(points)
+        layers.update(grid)
+        wanted.add(layers.slope_deg.tobytes())
+    done = threading.Event()
+
+    def write():
+        for number in range(60):
+            layers.update(grids[number % 2])
+        done.set()
+
+    writer = threading.Thread(target=write)
+    writer.start()
+    while not done.is_set():
+        assert layers.slope_deg.tobytes() in wanted
+    writer.join()
 
 
 def test_wrong_input_is_refused(plane):

@@ -149,6 +149,16 @@ def test_large_coordinates_lose_nothing(folder, tmp_path):
     np.testing.assert_allclose(np.sort(points[:, 2]), np.sort(expected[:, 2]), atol=1e-5)
 
 
+def test_a_recording_never_replaces_the_input(folder, tmp_path, capsys):
+    scan = tmp_path / "0.npz"
+    scan.write_bytes(next(folder.glob("*.npz")).read_bytes())
+    before = scan.read_bytes()
+    for source in (scan, tmp_path):
+        assert main(["view", str(source), "--output", str(scan)]) == 1
+        assert "0.npz: expected another file for --output" in capsys.readouterr().err
+    assert scan.read_bytes() == before
+
+
 def two_free_ports():
     """The first of two neighbours, below those that the system hands out to others meanwhile."""
     for port in random.Random().sample(range(20000, 32000, 2), 100):

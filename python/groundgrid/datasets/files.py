@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pathlib
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -33,12 +34,19 @@ class FileDataset:
         calibration: Path | None = None,
         format: str | None = None,
     ) -> None:
+        if calibration is not None and poses is None:
+            raise ValueError("calibration: expected together with poses, which it makes the LiDAR's")
         found = find_sequences(path, [] if sequence is None else [sequence], format)
         if len(found) > 1:
             names = ", ".join(each.name for each in found)
             raise ValueError(f"{os.fspath(path)}: choose one by sequence=: {names}")
         self._sequence = found[0]
         self._poses = read_poses(self._sequence, poses, calibration)
+
+    @property
+    def files(self) -> list[pathlib.Path]:
+        """One a scan, in their order."""
+        return [pathlib.Path(scan.path) for scan in self._sequence.scans]
 
     @property
     def name(self) -> str:

@@ -25,6 +25,11 @@ def find_scans(path: Path, endings: Collection[str]) -> list[Path]:
              if each.suffix.lower() in endings and not each.name.startswith(".")]
     if not found:
         raise ValueError(f"{path}: expected files {names}, got none")
+    first: dict[str, Path] = {}
+    for each in found:
+        if first.setdefault(each.stem, each) != each:
+            raise ValueError(f"{path}: expected one file a scan, got {first[each.stem].name} and "
+                             f"{each.name}: their results would have one name")
     if all(each.stem.isdecimal() for each in found):
         return sorted(found, key=lambda each: (int(each.stem), each.name))
     return sorted(found)

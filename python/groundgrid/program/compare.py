@@ -20,6 +20,8 @@ from .native_output import silenced
 from .options import add_input, add_method, config_of, open_input, scans_of
 
 GROUND, NON_GROUND = 40, 99
+# For a peer that is only made to see whether it is installed.
+ANY_HEIGHT_M = 1.7
 
 
 def add_to(commands: Any) -> None:
@@ -150,15 +152,17 @@ def made(
             scores[name] = Score(Ours(paper))
         if name not in PEERS:
             continue
-        if height_m is None:
-            raise ValueError(f"{scan.name}: the scan does not tell how high the sensor is: say it "
-                             "with --sensor-height-m")
         try:
-            scores[name] = Score(Theirs(PEERS[name](height_m)))
+            peer = PEERS[name](ANY_HEIGHT_M if height_m is None else height_m)
         except PeerMissing:
             if named:
                 raise
             missing.append(name)
+            continue
+        if height_m is None:
+            raise ValueError(f"{scan.name}: the scan does not tell how high the sensor is: say it "
+                             "with --sensor-height-m")
+        scores[name] = Score(Theirs(peer))
     return scores, missing
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from .. import __version__
 from . import compare, rasterize, run, view
@@ -12,8 +13,15 @@ from . import compare, rasterize, run, view
 COMMANDS = (run, view, compare, rasterize)
 
 
+class Parser(argparse.ArgumentParser):
+    """Takes no option for a longer one that begins with it; its commands' do not, either."""
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__(allow_abbrev=False, **settings)
+
+
 def parser() -> argparse.ArgumentParser:
-    root = argparse.ArgumentParser(
+    root = Parser(
         prog="groundgrid-py", description="Ground segmentation of recordings and point clouds."
     )
     root.add_argument("--version", action="version", version=__version__)

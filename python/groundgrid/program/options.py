@@ -24,7 +24,9 @@ LOADER_OPTIONS = {
     "frame": "of a recording, that poses are in",
     "odometry": "topic of a recording to take poses from",
     "metadata": ".json of an Ouster",
+    "sensor": "the number of one in a recording of several Ousters",
     "model": "of a Velodyne",
+    "format": "kitti, nuscenes, pcd or ply, where the endings of files do not tell",
 }
 
 
@@ -33,7 +35,7 @@ def add_input(parser: argparse.ArgumentParser) -> None:
                         help="a dataset, a folder of scans, a scan or a recording")
     group = parser.add_argument_group("input")
     for name, text in LOADER_OPTIONS.items():
-        group.add_argument(f"--{name}", help=text)
+        group.add_argument(f"--{name}", help=text, type=int if name == "sensor" else str)
     group.add_argument("--scans", type=positive, metavar="N", help="only the first N")
 
 
@@ -57,7 +59,8 @@ def positive(text: str) -> int:
 
 def open_input(options: argparse.Namespace) -> Dataset:
     """Raises ValueError where the loader has no such option."""
-    given = {name: getattr(options, name) for name in LOADER_OPTIONS if getattr(options, name)}
+    given = {name: getattr(options, name) for name in LOADER_OPTIONS
+             if getattr(options, name) is not None}
     try:
         return datasets.open(options.input, **given)
     except TypeError as error:
@@ -82,7 +85,29 @@ def config_of(options: argparse.Namespace, **more: Any) -> Config:
         values["sensor_height_m"] = options.sensor_height_m
     if options.threads is not None:
         values["threads"] = options.threads
-    return config.replace(**(values | more))
+    try:
+        return config.replace(**(values | more))
+    except TypeError as error:
+        raise ValueError(f"--set: {error}") from error
+
+
+class Inputs:
+    """The files that are read, which nothing that is written may replace."""
+
+    def __init__(self, dataset: Dataset, path: Path) -> None:
+        files = [path, *getattr(dataset, "files", ())]
+        self._known = {identity(file) for file in files if file.exists()}
+
+    def keep(self, output: Path) -> None:
+        """Raises ValueError where the output would take the place of one."""
+        if output.exists() and identity(output) in self._known:
+            raise ValueError(f"{output}: expected another file for --output than the input")
+
+
+def identity(file: Path) -> tuple[int, int]:
+    """The same for all names and links of a file."""
+    status = file.stat()
+    return status.st_dev, status.st_ino
 
 
 def value_of(text: str) -> Any:

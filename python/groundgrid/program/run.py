@@ -10,18 +10,20 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from .. import __version__
 from .._core import GroundGrid, Label, ScanResult, write_labels
 from ..datasets import BagDataset, Dataset, FileDataset, Scan
 from ..evaluation import to_semantic_kitti
 from ..output_files import hidden_file
-from ..rasters import TerrainMosaic
+from ..rasters import TerrainMosaic, checked_crs
 from .clouds import source_of, write_las, write_pcl
 from .labelled_bag import LabelledBag, labelled_bag
-from .options import add_input, add_method, config_of, open_input, scans_of
+from .options import Inputs, add_input, add_method, config_of, open_input, scans_of
 
 CLOUDS = ("pcd", "ply", "las", "laz")
+Matrix = npt.NDArray[np.float64]
 
 
 def add_to(commands: Any) -> None:
@@ -38,7 +40,8 @@ def add_to(commands: Any) -> None:
     group.add_argument("--clouds", choices=CLOUDS, action="append", default=[],
                        help="NAME.pcd or .ply with labels and heights beside all fields, or .las or "
                        ".laz with ASPRS classes; may be repeated")
-    group.add_argument("--terrain", action="store_true", help="terrain.tif of the drive")
+    group.add_argument("--terrain", action="store_true", help="terrain.tif of the drive, and "
+                       "NAME.tif of each scan that has no pose")
     group.add_argument("--crs", help="of the terrain, e.g. EPSG:32632 [a local frame]")
     group.add_argument("--bag", action="store_true",
                        help="the recording once more, with the labelled clouds")
@@ -82,14 +85,15 @@ def segment(
 ) -> dict[str, Any]:
     counts, times_ms = np.zeros(len(Label), np.int64), []
     for number, scan in enumerate(scans_of(dataset, options)):
-        if options.single_scan or scan.pose is None:
-            grid.reset()
         pose = None if options.single_scan else scan.pose
+        if pose is None:
+            grid.reset()
         begin = time.perf_counter()
-        result = grid.process(scan.points, pose)
+        result = processed(grid, scan, pose, options.input)
         times_ms.append(1000 * (time.perf_counter() - begin))
         counts += np.bincount(result.labels, minlength=len(Label))
-        output.add(number, scan, result, grid)
+        output.add(number, scan, result)
+        output.add_terrain(scan.name, grid, is_placed=pose is not None)
     if not times_ms:
         raise ValueError(f"{options.input}: expected scans, got none")
     output.finish()
@@ -102,6 +106,13 @@ def segment(
     }
 
 
+def processed(grid: GroundGrid, scan: Scan, pose: Matrix | None, path: Path) -> ScanResult:
+    try:
+        return grid.process(scan.points, pose)
+    except ValueError as error:
+        raise ValueError(f"{path}: scan {scan.name}: {error}") from error
+
+
 class Output:
     """Everything that is written of a run but its record."""
 
@@ -112,33 +123,53 @@ class Output:
         self._is_sequence = folder != options.output
         self._labels = folder / "predictions" if self._is_sequence else folder
         self._folder = folder / "clouds" if self._is_sequence else folder
-        self._input = options.input.resolve()
+        self._input, self._inputs = options.input.resolve(), Inputs(dataset, options.input)
         for each in (folder, self._labels, *([self._folder] if self._clouds else [])):
             each.mkdir(parents=True, exist_ok=True)
-        self._terrain: TerrainMosaic | None = None
+        self._terrains = folder if options.terrain else None
+        self._crs = options.crs
         if options.terrain:
-            self._terrain = TerrainMosaic(folder / "terrain.tif", options.crs)
+            checked_crs(options.crs)
+        self._drive: TerrainMosaic | None = None
+        self._has_terrain = False
         self._bag: LabelledBag | None = None
         if options.bag and isinstance(dataset, BagDataset):
             name = options.input.stem + "_labelled"
             ending = ".bag" if options.input.suffix == ".bag" else ""
             self._bag = stack.enter_context(labelled_bag(dataset, folder / (name + ending)))
 
-    def add(self, number: int, scan: Scan, result: ScanResult, grid: GroundGrid) -> None:
+    def add(self, number: int, scan: Scan, result: ScanResult) -> None:
         write_labels(self._labels / f"{scan.name}.label", to_semantic_kitti(result.labels))
         for ending in self._clouds:
             path = self._folder / f"{scan.name}.{ending}"
             if self._input in (path.resolve(), path.resolve().parent):
                 raise ValueError(f"{path}: expected another folder for --output than the input's")
+            self._inputs.keep(path)
             if ending in ("las", "laz"):
                 write_las(path, scan, result, source_of(self._dataset, number))
             else:
                 write_pcl(path, scan, result)
-        if self._terrain is not None:
-            self._terrain.add(grid)
         if self._bag is not None:
             self._bag.add(scan, result)
 
+    def add_terrain(self, name: str, grid: GroundGrid, is_placed: bool) -> None:
+        """To the drive's, or where nobody knows where the scan was taken as one of its own."""
+        if self._terrains is None:
+            return
+        if is_placed:
+            if self._drive is None:
+                self._drive = TerrainMosaic(self._terrains / "terrain.tif", self._crs)
+            self._drive.add(grid)
+            return
+        lone = TerrainMosaic(self._terrains / f"{name}.tif", self._crs)
+        lone.add(grid)
+        if not lone.empty:
+            lone.finish()
+            self._has_terrain = True
+
     def finish(self) -> None:
-        if self._terrain is not None:
-            self._terrain.finish()
+        if self._drive is not None:
+            self._drive.finish()
+        elif self._terrains is not None and not self._has_terrain:
+            raise ValueError(f"{self._terrains}: expected terrain to write, got no scan that shows "
+                             "any ground")

@@ -9,7 +9,7 @@ from typing import Any
 
 from .._core import GroundGrid
 from ..viewer import Recording
-from .options import add_input, add_method, config_of, open_input, positive, scans_of
+from .options import Inputs, add_input, add_method, config_of, open_input, positive, scans_of
 from .web_viewer import serve
 
 
@@ -34,6 +34,7 @@ def add_to(commands: Any) -> None:
 def view(options: argparse.Namespace) -> None:
     output = options.output or Path(options.input.resolve().stem + ".rrd")
     dataset = open_input(options)
+    Inputs(dataset, options.input).keep(output)
     grid = GroundGrid(config_of(options))
     count = 0
     with Recording(output, terrain_every=options.terrain_every) as recording:
