@@ -10,6 +10,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import types
 import unittest
 import unittest.mock
@@ -53,6 +54,39 @@ class Everything:
 
 
 FAKES = {"below": BelowOneMetre, "everything": Everything}
+
+
+class Settings:
+    @staticmethod
+    def paper():
+        return Settings()
+
+
+class SlowGrid:
+    """Of a Python package that takes 2 ms a scan, and 20 after a reset."""
+
+    def __init__(self, config, threads, sensor_height_m):
+        self.seconds = 0.002
+
+    def reset(self):
+        self.seconds = 0.02
+
+    def process(self, points, pose):
+        time.sleep(self.seconds)
+
+
+def package_of(scans):
+    """In place of the Python package: whether that is installed must not matter to these tests."""
+    scan = types.SimpleNamespace(points=None, pose=None)
+    package = types.ModuleType("groundgrid")
+    package.Config = Settings
+    package.GroundGrid = SlowGrid
+    package.datasets = types.SimpleNamespace(open=lambda *_, **__: [scan] * scans)
+    return unittest.mock.patch.dict(sys.modules, {"groundgrid": package})
+
+
+def without_package():
+    return unittest.mock.patch.dict(sys.modules, {"groundgrid": None})
 
 
 def write_sequence(dataset, name, scans):
@@ -289,10 +323,14 @@ class CompareTest(unittest.TestCase):
                             "--predictions", f"other={self.folder / 'other'}")
         self.assertIn("000000.label", said)
 
-    def test_our_methods_are_the_program_with_its_flags(self):
+    def simulate(self, scans):
         subprocess.run([PROGRAM, "simulate", "urban", self.data, "--sensor", "vlp-16", "--scans",
-                        "3"], check=True, capture_output=True)
-        found = self.figures(self.data, "--methods", ",".join(compare.OURS))
+                        str(scans)], check=True, capture_output=True)
+
+    def test_our_methods_are_the_program_with_its_flags(self):
+        self.simulate(3)
+        with without_package():
+            found = self.figures(self.data, "--methods", ",".join(compare.OURS))
         ious = {method: one["iou"] for (method, _), one in found.items()}
         for method, flags in compare.OURS.items():
             evaluated = runs.call_program([PROGRAM, "evaluate", self.data,
@@ -301,6 +339,14 @@ class CompareTest(unittest.TestCase):
         self.assertEqual(len(set(ious.values())), 3)
         self.assertGreater(found["groundgrid", "urban"]["own_ms_median"], 0)
         self.assertIsNone(found["groundgrid", "urban"]["call_ms_median"])
+
+    def test_our_methods_are_called_from_python_where_the_package_is(self):
+        self.simulate(2)
+        with package_of(2):
+            found = self.figures(self.data, "--methods", "groundgrid,groundgrid single scan")
+        warm, single = (found[name, "urban"]["call_ms_median"]
+                        for name in ("groundgrid", "groundgrid single scan"))
+        self.assertTrue(2 <= warm and 20 <= single, (warm, single))
 
 
 class ResultTest(unittest.TestCase):
