@@ -1,5 +1,6 @@
 """What the viewer shows, and the recording that it is in."""
 
+import json
 import random
 import re
 import signal
@@ -17,6 +18,20 @@ from groundgrid.program.main import main
 from groundgrid.viewer import Recording, colors
 from groundgrid.viewer.layer_images import LAYERS, images_of
 from groundgrid.viewer.terrain_mesh import closed, mesh_of
+
+
+@pytest.fixture(autouse=True, scope="module")
+def no_telemetry(tmp_path_factory):
+    """Rerun's program would look for the server that counts its users; tests need no network."""
+    folder = tmp_path_factory.mktemp("settings")
+    file = folder / "rerun" / "analytics.json"
+    file.parent.mkdir()
+    file.write_text(json.dumps({
+        "analytics_enabled": False, "analytics_id": "none", "metadata": {},
+        "config_file_path": str(file), "data_dir_path": str(folder / "data")}))
+    with pytest.MonkeyPatch.context() as environment:
+        environment.setenv("XDG_CONFIG_HOME", str(folder))
+        yield
 
 
 @pytest.fixture
