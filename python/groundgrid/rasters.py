@@ -87,14 +87,19 @@ def checked_crs(crs: str | None) -> Any:
     if crs is None:
         require("rasterio", "geo", "writing a GeoTIFF")
         return None
-    errors = require("rasterio.errors", "geo", "writing a GeoTIFF")
-    try:
-        known = require("rasterio.crs", "geo", "writing a GeoTIFF").CRS.from_user_input(crs)
-    except errors.CRSError as error:
-        raise ValueError(f"crs: expected one that PROJ knows, got {crs!r}: {error}") from error
+    known = known_crs(crs)
     if not known.is_projected or known.linear_units_factor[1] != 1.0:
         raise ValueError(f"crs: expected one whose x and y are metres, got {crs}")
     return known
+
+
+def known_crs(crs: str, name: str = "crs") -> Any:
+    """rasterio's CRS. Raises ValueError, with the name, where PROJ does not know it."""
+    errors = require("rasterio.errors", "geo", "writing a GeoTIFF")
+    try:
+        return require("rasterio.crs", "geo", "writing a GeoTIFF").CRS.from_user_input(crs)
+    except errors.CRSError as error:
+        raise ValueError(f"{name}: expected one that PROJ knows, got {crs!r}: {error}") from error
 
 
 @contextmanager

@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 from tqdm import tqdm
 
-from ..datasets.extras import require
 from ..datasets.las_units import UNITS_M, Units, las_errors, open_las, units_of
-from ..rasters import NO_DATA, open_raster
+from ..rasters import NO_DATA, known_crs, open_raster
 
 GROUND = 2
 POINTS_AT_ONCE = 1_000_000
@@ -73,11 +72,7 @@ def system_given(options: argparse.Namespace) -> Any:
     """rasterio's CRS of --crs; None without it. Raises ValueError where it is none of a map."""
     if options.crs is None:
         return None
-    errors = require("rasterio.errors", "geo", "writing a GeoTIFF")
-    try:
-        crs = require("rasterio.crs", "geo", "writing a GeoTIFF").CRS.from_user_input(options.crs)
-    except errors.CRSError as error:
-        raise ValueError(f"--crs: {error}") from error
+    crs = known_crs(options.crs, "--crs")
     if crs.is_geographic:
         raise ValueError(f"--crs: expected a system in metres or feet, got degrees: {options.crs}")
     return crs

@@ -142,7 +142,7 @@ class Output:
         write_labels(self._labels / f"{scan.name}.label", to_semantic_kitti(result.labels))
         for ending in self._clouds:
             path = self._folder / f"{scan.name}.{ending}"
-            if self._input in (path.resolve(), path.resolve().parent):
+            if self._input == path.resolve().parent:
                 raise ValueError(f"{path}: expected another folder for --output than the input's")
             self._inputs.keep(path)
             if ending in ("las", "laz"):
