@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "core/cell_limits.hpp"
+#include "core/cell_support.hpp"
 #include "core/elevation_map.hpp"
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
-#include "core/ground_envelope.hpp"
 #include "core/ground_surface.hpp"
 #include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
@@ -26,8 +26,8 @@ class Stages {
       : config_(config),
         map_(config),
         grid_(map_.cells()),
+        support_(map_),
         cells_(map_.cells()),
-        envelope_(map_, runner_),
         surface_(map_, runner_),
         limits_(map_, runner_) {
     for (const TimedScan& scan : drive().scans) {
@@ -40,8 +40,8 @@ class Stages {
     bin();
     filter();
     rasterise();
+    find_support();
     classify();
-    reject_raised();
     cells_before_ = cells_;
     reject_from_surface();
     update();
@@ -53,12 +53,21 @@ class Stages {
   void bin() { bin_points(pass_, all_points(), map_, config_, bins_); }
   void filter() { filter_outliers(pass_, all_points(), map_, config_, bins_); }
   void rasterise() { rasterize(bins_, runner_, grid_); }
-  void classify() { cells_.classify(grid_, map_, positions_, config_, runner_); }
-  void reject_raised() {
-    if (config_.reject_raised) envelope_.reject_raised(grid_, map_, ground_, config_, cells_);
+  void bin_and_rasterise() {
+    bin();
+    rasterise();
+  }
+  void find_support() {
+    if (config_.min_support_cells > 0) support_.find(config_, bins_, grid_);
+  }
+  void classify() {
+    cells_.classify(grid_, map_, positions_, config_, runner_,
+                    config_.min_support_cells > 0 ? support_.is_supported().data() : nullptr);
   }
   void reject_from_surface() {
-    if (config_.fit_surface) surface_.reject_raised(grid_, plane(), config_, cells_, map_);
+    if (!config_.fit_surface) return;
+    surface_.reject_raised(grid_, plane(), config_, cells_, map_);
+    surface_.accept_lone(grid_, config_, cells_);
   }
   void update() {
     update_elevation(grid_, cells_, config_, runner_, map_);
@@ -81,7 +90,7 @@ class Stages {
     else
       limits_.choose_by_class(grid_, cells_.is_ground(), map_, config_);
   }
-  void segment_points() { segment(bins_, limits_, map_, runner_, labels_, heights_); }
+  void segment_points() { segment(bins_, limits_, map_, config_, runner_, labels_, heights_); }
 
   void restore_map_before() { map_ = map_before_; }
   void restore_map_updated() { map_ = map_updated_; }
@@ -114,8 +123,8 @@ class Stages {
     bin();
     filter();
     rasterise();
+    find_support();
     classify();
-    reject_raised();
     reject_from_surface();
     update();
     fill_map();
@@ -130,9 +139,9 @@ class Stages {
   ElevationMap map_updated_{map_};
   Plane ground_;
   ScanGrid grid_;
+  CellSupport support_;
   GroundCells cells_;
   GroundCells cells_before_{cells_};
-  GroundEnvelope envelope_;
   GroundSurface surface_;
   CellLimits limits_;
   BinnedPoints bins_;
@@ -169,8 +178,8 @@ const bool kRegistered = [] {
   add("stage/filter_outliers", Config{}, &Stages::filter, &Stages::restore_map_before);
   add("stage/filter_outliers/paper", Config::paper(), &Stages::filter, &Stages::restore_map_before);
   add("stage/rasterize", Config{}, &Stages::rasterise);
+  add("stage/find_support", Config{}, &Stages::find_support, &Stages::bin_and_rasterise);
   add("stage/classify", Config{}, &Stages::classify);
-  add("stage/reject_raised", Config{}, &Stages::reject_raised, &Stages::classify);
   add("stage/update_elevation", Config{}, &Stages::update, &Stages::restore_map_before);
   add("stage/surface/reject_raised", Config{}, &Stages::reject_from_surface,
       &Stages::restore_before_surface);

@@ -64,14 +64,8 @@ struct GROUNDGRID_EXPORT Config {
   int own_variance_min_points = 5;
   /// Steepest ground whose rise within a cell does not count as variance, m/m; 0: all does.
   double max_cell_slope = 0.7;
-  /// Take the class from cells that stand above what the ground around supports.
-  bool reject_raised = true;
-  /// Steepest rise of the ground from one cell to another over its trend, m/m.
-  double envelope_slope = 0.25;
-  /// Greatest step, such as a kerb, above that rise. (m)
-  double envelope_step_m = 0.1;
-  /// Cells this far below the median around do not support the envelope. (m)
-  double envelope_pit_m = 0.3;
+  /// Cells whose lowest returns do not form a surface of this many are not ground; 0: all may be.
+  int min_support_cells = 20;
 
   // Ground surface (not in the paper)
   /// Fit planes to the ground: ground cells that rise above them are none, and cells without ground
@@ -82,7 +76,7 @@ struct GROUNDGRID_EXPORT Config {
   /// Cells more than this above the surface lose weight in the fit. (m)
   double surface_tolerance_m = 0.06;
   /// Cells more than this above the surface are no ground. (m)
-  double surface_step_m = 0.3;
+  double surface_step_m = 0.2;
   /// Wider patches of such cells are ground all the same: terraces, banks. (m²)
   double plateau_area_m2 = 5.0;
   /// Unless they stand more than this above the surface on average. (m)

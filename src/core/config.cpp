@@ -40,7 +40,7 @@ Config Config::paper() {
   // What is not in the paper.
   config.outlier_min_depth_m = -1e6;
   config.max_cell_slope = 0.0;
-  config.reject_raised = false;
+  config.min_support_cells = 0;
   config.fit_surface = false;
   config.threshold_by_column = false;
   return config;

@@ -178,10 +178,12 @@ void ClassifyCells(std::span<const std::uint32_t> occupied, const ClassRule& rul
     JudgeCells(rule, block);
     if (block.any_slope) JudgeSlopes(rule, block);
     for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const bool observed = block.observed[i] != 0;
-      const bool ground = observed && block.smooth[i] != 0;
+      const bool supported = rule.supported == nullptr || rule.supported[block.cells[i]] != 0;
+      const bool smooth = block.observed[i] != 0 && block.smooth[i] != 0;
+      const bool observed = supported && block.observed[i] != 0;
+      const bool ground = supported && smooth;
       answers[first + i] = {block.patch[i].points, block.elevation[i], block.variance[i], observed,
-                            ground};
+                            ground, smooth && !supported};
       is_ground[block.cells[i]] = ground ? 1 : 0;
     }
   }

@@ -24,6 +24,7 @@ struct GroundCell {
   float variance = 0.0F;         ///< The variance that was tested, m².
   bool observed = false;         ///< Enough points to be judged at all.
   bool ground = false;           ///< Classified as ground.
+  bool lone = false;             ///< As smooth as ground, but not supported.
 };
 
 /// All that decides the class of a cell.
@@ -31,6 +32,8 @@ struct ClassRule {
   const WeightedCell* cells = nullptr;  ///< Of the window, row by row.
   int size = 0;
   float cell_size = 0.0F;
+  /// 1 for each cell of the window that may be ground; null if all may.
+  const std::uint8_t* supported = nullptr;
   std::span<const Point3f> sensors{};
   float patch_change_squared = 0.0F;  ///< m²; patches are 5×5 from there on.
   float own_variance_points = 0.0F;   ///< From so many points on the own variance counts.

@@ -71,13 +71,14 @@ void GroundCells::list_enough(const Config& config) {
 
 void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
                            const SensorPositions& sensors, const Config& config,
-                           TileRunner& runner) {
+                           TileRunner& runner, const std::uint8_t* supported) {
   summarise(grid, runner);
   list_enough(config);
   ClassRule rule;
   rule.cells = weighted_.data();
   rule.size = map.size();
   rule.cell_size = static_cast<float>(map.cell_size());
+  rule.supported = supported;
   rule.sensors = sensors.sensors;
   rule.patch_change_squared =
       static_cast<float>(config.patch_change_distance_m * config.patch_change_distance_m);

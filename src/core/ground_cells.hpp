@@ -41,8 +41,9 @@ class GroundCells {
  public:
   explicit GroundCells(std::size_t cells);
 
+  /// `supported` is null, or 1 for each cell of the window that may be ground; see CellSupport.
   void classify(const ScanGrid& grid, const ElevationMap& map, const SensorPositions& sensors,
-                const Config& config, TileRunner& runner);
+                const Config& config, TileRunner& runner, const std::uint8_t* supported = nullptr);
 
   /// Element i belongs to ScanGrid::occupied[i].
   [[nodiscard]] const std::vector<GroundCell>& cells() const { return cells_; }
@@ -51,6 +52,12 @@ class GroundCells {
   void withdraw(std::size_t i, std::uint32_t cell) {
     cells_[i].ground = false;
     is_ground_[cell] = 0;
+  }
+
+  /// Makes a lone cell ground.
+  void accept(std::size_t i, std::uint32_t cell) {
+    cells_[i].ground = cells_[i].observed = true;
+    is_ground_[cell] = 1;
   }
 
   /// 1 for each cell of the window that is ground in this scan.

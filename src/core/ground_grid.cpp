@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "core/cell_limits.hpp"
+#include "core/cell_support.hpp"
 #include "core/elevation_map.hpp"
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
-#include "core/ground_envelope.hpp"
 #include "core/ground_surface.hpp"
 #include "core/input_checks.hpp"
 #include "core/interpolation.hpp"
@@ -52,8 +52,8 @@ class GroundGrid::Pipeline {
         runner_(std::move(runner)),
         map_(config),
         grid_(map_.cells()),
+        support_(map_),
         ground_cells_(map_.cells()),
-        envelope_(map_, runner_),
         surface_(map_, runner_),
         limits_(map_, runner_),
         step_edges_(map_) {}
@@ -96,8 +96,8 @@ class GroundGrid::Pipeline {
   ElevationMap map_;
   Plane ground_plane_;
   ScanGrid grid_;
+  CellSupport support_;
   GroundCells ground_cells_;
-  GroundEnvelope envelope_;
   GroundSurface surface_;
   CellLimits limits_;
   StepEdges step_edges_;
@@ -253,11 +253,15 @@ LabelCounts GroundGrid::Pipeline::run_stages() {
       add_to_cells(bins_, {0, bins_.cell.size()}, band, grid_);
     });
   list_occupied(grid_);
-  ground_cells_.classify(grid_, map_, positions_, config_, runner_);
-  if (config_.reject_raised)
-    envelope_.reject_raised(grid_, map_, ground_plane_, config_, ground_cells_);
+  const bool need_support = config_.min_support_cells > 0;
+  if (need_support) support_.find(config_, bins_, grid_);
+  ground_cells_.classify(grid_, map_, positions_, config_, runner_,
+                         need_support ? support_.is_supported().data() : nullptr);
   const LocalPlane ground = plane_in_window();
-  if (config_.fit_surface) surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
+  if (config_.fit_surface) {
+    surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
+    surface_.accept_lone(grid_, config_, ground_cells_);
+  }
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   map_.mark_observed();
   if (config_.fit_surface)
@@ -269,7 +273,7 @@ LabelCounts GroundGrid::Pipeline::run_stages() {
   else
     limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
   if (config_.max_step_m > 0.0) step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_);
-  return segment(bins_, limits_, map_, runner_, labels_, height_above_ground_);
+  return segment(bins_, limits_, map_, config_, runner_, labels_, height_above_ground_);
 }
 
 LocalPlane GroundGrid::Pipeline::plane_in_window() const {

@@ -47,6 +47,18 @@ void GroundSurface::reject_raised(const ScanGrid& grid, const LocalPlane& ground
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, withdraw);
 }
 
+void GroundSurface::accept_lone(const ScanGrid& grid, const Config& config,
+                                GroundCells& ground_cells) {
+  const auto accept = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const GroundCell& seen = ground_cells.cells()[i];
+      if (seen.lone && fit_.accept(grid.occupied[i], seen.patch_elevation, config))
+        ground_cells.accept(i, grid.occupied[i]);
+    }
+  };
+  runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, accept);
+}
+
 void GroundSurface::fill(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
                          const GroundCells& ground_cells, ElevationMap& map) {
   const std::vector<std::uint8_t>& is_ground = ground_cells.is_ground();

@@ -27,6 +27,9 @@ class GroundSurface {
   void reject_raised(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
                      GroundCells& ground_cells, ElevationMap& map);
 
+  /// Makes lone cells ground that lie on the surface of all others.
+  void accept_lone(const ScanGrid& grid, const Config& config, GroundCells& ground_cells);
+
   /// Gives every cell that is neither ground in this scan nor remembered the height of a finer
   /// surface through those that are, and lets confidence decay where there is no ground.
   void fill(const ScanGrid& grid, const LocalPlane& ground, const Config& config,

@@ -66,14 +66,9 @@ constexpr std::array kParameters{
     Parameter{"max_cell_slope", &Config::max_cell_slope, "", 0.0, 10.0, "", "ground_cells",
               "Steepest ground whose rise within a cell does not count as variance, m/m; 0: all "
               "does."},
-    Parameter{"reject_raised", &Config::reject_raised, "", 0.0, 1.0, "", "ground_cells",
-              "Take the class from cells that stand above what the ground around supports."},
-    Parameter{"envelope_slope", &Config::envelope_slope, "", 0.0, 10.0, "", "ground_cells",
-              "Steepest rise of the ground from one cell to another over its trend, m/m."},
-    Parameter{"envelope_step_m", &Config::envelope_step_m, "m", 0.0, 10.0, "", "ground_cells",
-              "Greatest step, such as a kerb, above that rise."},
-    Parameter{"envelope_pit_m", &Config::envelope_pit_m, "m", 0.0, 1e6, "", "ground_cells",
-              "Cells this far below the median around do not support the envelope."},
+    Parameter{"min_support_cells", &Config::min_support_cells, "", 0.0, 1e6, "", "ground_cells",
+              "Cells whose lowest returns do not form a surface of this many are not ground; 0: "
+              "all may be."},
     Parameter{"fit_surface", &Config::fit_surface, "", 0.0, 1.0, "", "surface",
               "Fit planes to the ground: ground cells that rise above them are none, and cells "
               "without ground take their height."},

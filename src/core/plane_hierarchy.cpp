@@ -224,28 +224,45 @@ void PlaneHierarchy::evaluate(std::size_t level, TileRunner& runner, std::span<f
   });
 }
 
-void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) const {
-  const Level& level = levels_[l];
-  const BlockPlanes& planes = level.planes;
+/// Bilinear between what at(block, x, y) says of the four blocks around a cell; x and y are the
+/// cell's, from the block's middle.
+template <typename At>
+float PlaneHierarchy::between_blocks(const Level& level, std::size_t column, std::size_t row,
+                                     const At& at) {
   const CellPlaces& places = level.places;
-  const auto at = [&](std::int32_t column, std::int32_t row, float x, float y) {
-    const std::size_t block = level.row(row) + static_cast<std::size_t>(column);
+  const auto along_x = [&](std::int32_t block_row, float y) {
+    const auto at_block = [&](std::int32_t block_column, float x) {
+      return at(level.row(block_row) + static_cast<std::size_t>(block_column), x, y);
+    };
+    const float left = at_block(places.before[column], places.from_before[column]);
+    const float right = at_block(places.after[column], places.from_after[column]);
+    return left + places.share_after[column] * (right - left);
+  };
+  const float lower = along_x(places.before[row], places.from_before[row]);
+  const float upper = along_x(places.after[row], places.from_after[row]);
+  return lower + places.share_after[row] * (upper - lower);
+}
+
+float PlaneHierarchy::height_at(std::size_t l, std::uint32_t cell) const {
+  const BlockPlanes& planes = levels_[l].planes;
+  const auto size = static_cast<std::size_t>(size_);
+  return between_blocks(levels_[l], cell % size, cell / size,
+                        [&](std::size_t block, float x, float y) {
+                          return planes.height[block] + planes.slope_x[block] * x +
+                                 planes.slope_y[block] * y;
+                        });
+}
+
+void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) const {
+  const BlockPlanes& planes = levels_[l].planes;
+  const auto at = [&](std::size_t block, float x, float y) {
     return planes.variance_height[block] + planes.variance_x[block] * x * x +
            planes.variance_y[block] * y * y;
   };
   const auto size = static_cast<std::size_t>(size_);
-  for (std::size_t row = 0; row < size; ++row) {
-    for (std::size_t column = 0; column < size; ++column) {
-      const auto along_x = [&](std::int32_t block_row, float from) {
-        const float left = at(places.before[column], block_row, places.from_before[column], from);
-        const float right = at(places.after[column], block_row, places.from_after[column], from);
-        return left + places.share_after[column] * (right - left);
-      };
-      const float lower = along_x(places.before[row], places.from_before[row]);
-      const float upper = along_x(places.after[row], places.from_after[row]);
-      variance[row * size + column] = lower + places.share_after[row] * (upper - lower);
-    }
-  }
+  for (std::size_t row = 0; row < size; ++row)
+    for (std::size_t column = 0; column < size; ++column)
+      variance[row * size + column] = between_blocks(levels_[l], column, row, at);
 }
 
 }  // namespace groundgrid

@@ -84,6 +84,9 @@ class PlaneHierarchy {
   /// The surface at the middle of every cell.
   void evaluate(std::size_t level, TileRunner& runner, std::span<float> surface);
 
+  /// The same of one cell, to rounding.
+  [[nodiscard]] float height_at(std::size_t level, std::uint32_t cell) const;
+
   /// The variance of that height at each cell, m²: bilinear between those of the planes.
   void evaluate_variance(std::size_t level, std::span<float> variance) const;
 
@@ -158,6 +161,9 @@ class PlaneHierarchy {
     }
   }
 
+  template <typename At>
+  static float between_blocks(const Level& level, std::size_t column, std::size_t row,
+                              const At& at);
   void place_cells(Level& level) const;
   [[nodiscard]] BlockRows rows_of(const Level& level, int block_row) const;
   void sum_row_of_blocks(Level& level, int block_row, const ColumnSums& columns) const;

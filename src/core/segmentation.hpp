@@ -14,7 +14,7 @@ namespace groundgrid {
 /// level is ground, a higher one an obstacle. Outliers are measured from the map: they do not make
 /// their cell an occupied one, so it may have no limit. Returns how many points got each label.
 LabelCounts segment(const BinnedPoints& bins, const CellLimits& limits, const ElevationMap& map,
-                    TileRunner& runner, std::span<Label> labels,
+                    const Config& config, TileRunner& runner, std::span<Label> labels,
                     std::span<float> height_above_ground);
 
 }  // namespace groundgrid

@@ -29,6 +29,7 @@ constexpr std::size_t kMinVotes = 5;
 constexpr double kFirstInlier_m = 0.3;
 constexpr double kLastInlier_m = 0.1;
 constexpr int kFits = 4;
+constexpr double kPerMetre = 100.0;  // The estimate is in whole centimetres.
 
 struct FlatCell {
   double x = 0.0;
@@ -142,7 +143,8 @@ std::optional<double> estimate_sensor_height(const PointView& points, const Conf
   // The plane may meet the sensor's axis where no cell was, even above the sensor.
   const double height = plane.x();
   if (!(height > 0.0 && height < kMaxSensorHeight_m)) return std::nullopt;
-  return height;
+  // A return more or less then hardly ever changes it, and with it the whole map.
+  return std::round(height * kPerMetre) / kPerMetre;
 }
 
 }  // namespace groundgrid

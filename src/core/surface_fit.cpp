@@ -112,6 +112,14 @@ void SurfaceFit::reject_raised(const LocalPlane& top, const Config& config) {
   std::erase_if(raised_, [&](std::uint32_t cell) { return !is_raised(cell); });
 }
 
+bool SurfaceFit::accept(std::uint32_t cell, float height, const Config& config) {
+  const float surface = planes_.height_at(planes_.level_of(config.surface_block_m), cell);
+  const float above = height - surface;
+  if (above > static_cast<float>(config.surface_step_m) || above < -kReflection_m) return false;
+  standing_[cell] = Standing::on_surface;
+  return true;
+}
+
 void SurfaceFit::fit(std::span<const float> heights, const LocalPlane& top) {
   const auto count = static_cast<std::size_t>(size_);
   const auto weigh = [&](std::size_t row, const PlaneHierarchy::RowCursor&, float* weights) {

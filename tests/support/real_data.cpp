@@ -48,4 +48,15 @@ std::vector<RealScan> read_scans(const fs::path& dataset, const std::string& seq
   return scans;
 }
 
+std::vector<std::vector<float>> read_other_sensor(const fs::path& dataset, const std::string& name,
+                                                  std::size_t limit) {
+  std::vector<std::vector<float>> scans;
+  const fs::path set = dataset.parent_path() / "other_sensors" / name;
+  if (!fs::is_directory(set)) return scans;
+  const std::vector<io::ScanSequence> sequences = io::find_sequences(set, {});
+  for (const io::ScanFile& file : sequences.front().scans)
+    if (scans.size() < limit) scans.push_back(kitti_points(file.path));
+  return scans;
+}
+
 }  // namespace groundgrid::testing

@@ -32,6 +32,11 @@ struct RealScan {
 std::vector<RealScan> read_scans(const std::filesystem::path& dataset, const std::string& sequence,
                                  std::size_t limit);
 
+/// The points of the first scans of a set of other_sensors, which lies beside the dataset: x, y, z,
+/// intensity each; nothing if it is not there.
+std::vector<std::vector<float>> read_other_sensor(const std::filesystem::path& dataset,
+                                                  const std::string& name, std::size_t limit);
+
 }  // namespace groundgrid::testing
 
 /// Leaves the test where there is no data: skipped, or failed where data is required.

@@ -24,11 +24,13 @@ class GroundSurfaceTest : public ::testing::Test {
       : config_(metre_grid(61)),
         map_(flat_map(config_)),
         cells_(map_.cells()),
+        supported_(map_.cells(), 1),
         surface_(map_, runner_) {
     config_.min_point_fraction = 0.0;
     config_.min_variance_threshold = 1.0;  // every cell with a point is a ground cell at first
     config_.fit_surface = true;
     config_.surface_block_m = 15.0;
+    config_.surface_step_m = 0.3;
     config_.plateau_area_m2 = 50.0;
   }
 
@@ -43,8 +45,10 @@ class GroundSurfaceTest : public ::testing::Test {
   void process(PointsInCells& points, const LocalPlane& ground = {}) {
     TileRunner runner(1);
     const ScanGrid& grid = points.grid();
-    cells_.classify(grid, map_, SensorPositions{{{30.5F, 30.5F, 1.7F}}}, config_, runner);
+    cells_.classify(grid, map_, SensorPositions{{{30.5F, 30.5F, 1.7F}}}, config_, runner,
+                    supported_.data());
     surface_.reject_raised(grid, ground, config_, cells_, map_);
+    surface_.accept_lone(grid, config_, cells_);
     for (std::size_t i = 0; i < grid.occupied.size(); ++i)
       if (cells_.cells()[i].ground)
         map_.height()[grid.occupied[i]] = cells_.cells()[i].patch_elevation;
@@ -64,6 +68,7 @@ class GroundSurfaceTest : public ::testing::Test {
   Config config_;
   ElevationMap map_;
   GroundCells cells_;
+  std::vector<std::uint8_t> supported_;
   TileRunner runner_{2};
   GroundSurface surface_;
 };
@@ -102,6 +107,21 @@ TEST_F(GroundSurfaceTest, AWideTerraceIsGroundAndANarrowOneIsNot) {
 TEST_F(GroundSurfaceTest, AWideRoofIsTooHighForATerrace) {
   process([](int column, int row) { return inside(column, row, 26, 9) ? 3.0 : 0.0; });
   EXPECT_FALSE(is_ground(30, 30));
+}
+
+TEST_F(GroundSurfaceTest, ALoneCellIsGroundIfItLiesOnTheSurfaceOfTheOthers) {
+  const std::size_t lone = cell_index(map_, 30, 30);
+  supported_[lone] = 0;
+  const auto is_ground_at = [&](double height) {
+    map_ = flat_map(config_);
+    process([=](int column, int row) { return column == 30 && row == 30 ? height : 0.0; });
+    return is_ground(30, 30);
+  };
+  EXPECT_TRUE(is_ground_at(0.25));
+  EXPECT_TRUE(is_ground_at(-0.4));
+  EXPECT_FALSE(is_ground_at(0.35));
+  EXPECT_FALSE(is_ground_at(-0.6));
+  EXPECT_NEAR(height(29, 30), 0.0, 0.001) << "it has no part in the surface";
 }
 
 TEST_F(GroundSurfaceTest, WhatIsRememberedAboveTheSurfaceIsForgotten) {

@@ -55,6 +55,21 @@ class PlaneHierarchyTest : public ::testing::Test {
   std::vector<float> surface;
 };
 
+TEST_F(PlaneHierarchyTest, TheHeightAtACellIsThatOfTheSurface) {
+  make(61);
+  for_all([&](int x, int y) { set(x, y, 0.1 * x + std::sin(0.3 * y), (x + y) % 3 == 0 ? 1.0 : 0.0); });
+  TileRunner runner(1);
+  for (const std::size_t level : {0U, 1U}) {
+    PlaneHierarchy planes(size, 1.0, 1);
+    planes.fit(heights, weigh(), {}, level, runner);
+    planes.evaluate(level, runner, surface);
+    for_all([&](int x, int y) {
+      const auto index = static_cast<std::uint32_t>(cell(x, y));
+      EXPECT_NEAR(planes.height_at(level, index), surface[index], 1e-5F) << x << ' ' << y;
+    });
+  }
+}
+
 TEST_F(PlaneHierarchyTest, WithoutHeightsTheExpectedPlaneGoesOn) {
   make(61);
   for (const std::size_t level : {0U, 1U, 2U}) {

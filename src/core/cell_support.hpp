@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/elevation_map.hpp"
+#include "core/rasterization.hpp"
+
+namespace groundgrid {
+
+/// Bounds what a few returns can do. A cell is supported if its lowest return and those of the
+/// cells around it form a surface of Config::min_support_cells cells or more. Returns of other
+/// cells that lie below the supported surface beside them are set aside before anything is computed
+/// from them, and no unsupported cell is ground. Not in the paper; see docs/method.md.
+class CellSupport {
+ public:
+  explicit CellSupport(const ElevationMap& map);
+
+  /// Finds the supported cells of this scan, marks the points that are set aside as outliers and
+  /// takes them out of the grid.
+  void find(const Config& config, BinnedPoints& bins, ScanGrid& grid);
+
+  /// 1 for each supported cell of the window, in this scan.
+  [[nodiscard]] const std::vector<std::uint8_t>& is_supported() const { return supported_; }
+
+ private:
+  /// Neighbours are at most so many cells away, along each axis.
+  static constexpr int kReach = 2;
+  static constexpr std::size_t kNeighbours = (2 * kReach + 1) * (2 * kReach + 1) - 1;
+  struct Neighbour {
+    int column = 0;           ///< Relative to the cell.
+    int row = 0;
+    std::int32_t offset = 0;  ///< Of the index.
+    std::int32_t rise = 0;    ///< Heights of one surface differ by this at most, steps.
+    std::int32_t depth = 0;   ///< Returns this far below a supported neighbour are no ground.
+  };
+
+  template <typename Visit>
+  void for_each_neighbour(std::uint32_t cell, int row, const Visit& visit) const;
+  void forget();
+  void judge(std::span<const std::uint32_t> cells, std::size_t enough);
+  void follow(std::uint32_t seed, std::size_t enough);
+  void find_floors(std::span<const std::uint32_t> cells);
+  void set_aside(BinnedPoints& bins, ScanGrid& grid);
+
+  int size_;
+  std::array<Neighbour, kNeighbours> neighbours_{};  // the nearest ones first
+  std::vector<std::int32_t> lowest_;                 // per cell, steps; kEmpty without points
+  std::vector<std::uint8_t> supported_;              // per cell
+  std::vector<std::uint8_t> visited_;                // per cell
+  std::vector<std::uint32_t> cells_;                 // the occupied cells, ascending
+  std::vector<std::uint32_t> unsupported_;           // of those that were judged last, ascending
+  std::vector<std::uint32_t> again_;                 // cells to be judged a second time
+  std::vector<std::uint32_t> surface_;               // cells that hang together, as they are found
+  std::vector<std::uint32_t> cut_;                   // cells with returns below their floor
+  std::vector<std::int32_t> floor_;                  // per cell of cut_, steps
+  std::vector<float> look_below_;                    // per cell, metres; see DepthRule
+};
+
+}  // namespace groundgrid

@@ -1,0 +1,147 @@
+// Which cells are believed, and which returns are set aside because of them.
+#include "core/cell_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/stages.hpp"
+
+namespace groundgrid {
+namespace {
+
+using testing::cell_index;
+using testing::flat_map;
+using testing::metre_grid;
+using testing::PointsInCells;
+
+/// A map of 41 × 41 cells of one metre; a surface needs six cells.
+class CellSupportTest : public ::testing::Test {
+ protected:
+  CellSupportTest() : config_(metre_grid(41)), map_(flat_map(config_)), support_(map_) {
+    config_.min_support_cells = 6;
+  }
+
+  void find(const PointsInCells& points) {
+    TileRunner runner(1);
+    bins_ = points.bins();
+    rasterize(bins_, runner, grid_);
+    support_.find(config_, bins_, grid_);
+  }
+  std::size_t at(int column, int row) const { return cell_index(map_, column, row); }
+  bool supported(int column, int row) const {
+    return support_.is_supported()[at(column, row)] == 1;
+  }
+
+  Config config_;
+  ElevationMap map_;
+  CellSupport support_;
+  BinnedPoints bins_;
+  ScanGrid grid_{map_.cells()};
+};
+
+TEST_F(CellSupportTest, NeedsAsManyCellsThatHangTogether) {
+  PointsInCells points(map_);
+  for (int column = 10; column < 16; ++column) points.add(column, 5, {0.0});
+  for (int column = 10; column < 15; ++column) points.add(column, 20, {0.0});
+  find(points);
+  for (int column = 10; column < 16; ++column) EXPECT_TRUE(supported(column, 5)) << column;
+  for (int column = 10; column < 15; ++column) EXPECT_FALSE(supported(column, 20)) << column;
+}
+
+TEST_F(CellSupportTest, CellsHangTogetherOverOneEmptyCellAndNotOverTwo) {
+  PointsInCells points(map_);
+  for (int i = 0; i < 6; ++i) {
+    points.add(2 * i, 5, {0.0});
+    points.add(3 * i, 20, {0.0});
+  }
+  find(points);
+  EXPECT_TRUE(supported(10, 5));
+  EXPECT_FALSE(supported(15, 20));
+}
+
+TEST_F(CellSupportTest, ASurfaceMayBeAsSteepAsAnEmbankmentAndNotSteeper) {
+  PointsInCells points(map_);
+  for (int column = 10; column < 20; ++column) {
+    points.add(column, 5, {0.7 * column});
+    points.add(column, 20, {0.8 * column});
+  }
+  find(points);
+  EXPECT_TRUE(supported(10, 5));
+  EXPECT_FALSE(supported(10, 20));
+}
+
+TEST_F(CellSupportTest, RowsDoNotHangTogetherAroundTheEdgeOfTheMap) {
+  PointsInCells points(map_);
+  for (const int column : {38, 39, 40}) points.add(column, 7, {0.0});
+  for (const int column : {0, 1, 2}) points.add(column, 8, {0.0});
+  find(points);
+  EXPECT_FALSE(supported(40, 7));
+  EXPECT_FALSE(supported(0, 8));
+}
+
+TEST_F(CellSupportTest, SetsReturnsBelowTheSurfaceAsideAndKeepsThoseOnIt) {
+  PointsInCells points(map_);
+  for (int column = 10; column < 20; ++column) {
+    if (column == 15)
+      points.add(15, 5, {-4.0, 0.02, -9.0});
+    else
+      points.add(column, 5, {0.0});
+  }
+  find(points);
+  EXPECT_TRUE(bins_.is_outlier(5));
+  EXPECT_FALSE(bins_.is_outlier(6));
+  EXPECT_TRUE(bins_.is_outlier(7));
+  const CellStatistics& cell = grid_.statistics[at(15, 5)];
+  EXPECT_EQ(cell.count, 1U);
+  EXPECT_EQ(cell.min, 200);
+  EXPECT_EQ(cell.max, 200);
+  EXPECT_EQ(cell.sum, 200);
+  EXPECT_TRUE(supported(15, 5)) << "what is left of it lies on the surface";
+}
+
+TEST_F(CellSupportTest, ACellOfWhichNothingIsLeftIsNotOccupied) {
+  PointsInCells points(map_);
+  for (int column = 10; column < 20; ++column) points.add(column, 5, {column == 15 ? -4.0 : 0.0});
+  find(points);
+  EXPECT_EQ(grid_.occupied.size(), 9U);
+  EXPECT_EQ(grid_.is_occupied[at(15, 5)], 0);
+  EXPECT_EQ(grid_.statistics[at(15, 5)].count, 0U);
+}
+
+TEST_F(CellSupportTest, FindsReturnsBelowASurfaceThatOthersHaveHidden) {
+  // Two cells wide, so that the inner one has no supported neighbour before the outer one has.
+  PointsInCells points(map_);
+  for (int column = 5; column < 12; ++column) points.add(column, 5, {0.0});
+  for (int column = 12; column < 16; ++column) points.add(column, 5, {0.0, -5.0 - column});
+  find(points);
+  for (int column = 12; column < 16; ++column)
+    EXPECT_EQ(grid_.statistics[at(column, 5)].count, 1U) << column;
+  EXPECT_TRUE(supported(15, 5));
+}
+
+TEST_F(CellSupportTest, ALowerLevelThatIsWideEnoughStays) {
+  PointsInCells points(map_);
+  for (int column = 10; column < 20; ++column) {
+    points.add(column, 5, {0.0});
+    points.add(column, 6, {-3.0});
+  }
+  find(points);
+  EXPECT_TRUE(supported(15, 5));
+  EXPECT_TRUE(supported(15, 6));
+  EXPECT_EQ(grid_.occupied.size(), 20U);
+}
+
+TEST_F(CellSupportTest, ForgetsTheScanBefore) {
+  PointsInCells first(map_);
+  for (int column = 10; column < 20; ++column) first.add(column, 5, {0.0});
+  find(first);
+  PointsInCells second(map_);
+  second.add(15, 5, {0.0});
+  find(second);
+  EXPECT_FALSE(supported(15, 5));
+  EXPECT_FALSE(supported(14, 5));
+}
+
+}  // namespace
+}  // namespace groundgrid
