@@ -9,7 +9,6 @@
 #include "core/ground_cells.hpp"
 #include "core/ground_elevation.hpp"
 #include "core/ground_surface.hpp"
-#include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
 #include "core/parallel.hpp"
 #include "core/rasterization.hpp"
@@ -19,7 +18,7 @@
 namespace groundgrid::benchmarks {
 namespace {
 
-/// The stages in the order of the paper, each of them to be called on its own.
+/// The stages of our method in their order, each of them to be called on its own.
 class Stages {
  public:
   explicit Stages(const Config& config)
@@ -52,7 +51,11 @@ class Stages {
 
   void bin() { bin_points(pass_, all_points(), map_, config_, bins_); }
   void filter() { filter_outliers(pass_, all_points(), map_, config_, bins_); }
-  void rasterise() { rasterize(bins_, runner_, grid_); }
+  void rasterise() {
+    clear(grid_);
+    add_to_cells(bins_, all_points(), {0, static_cast<std::uint32_t>(map_.cells())}, grid_);
+    list_occupied(grid_);
+  }
   void bin_and_rasterise() {
     bin();
     rasterise();
@@ -65,7 +68,6 @@ class Stages {
                     config_.min_support_cells > 0 ? support_.is_supported().data() : nullptr);
   }
   void reject_from_surface() {
-    if (!config_.fit_surface) return;
     surface_.reject_raised(grid_, plane(), config_, cells_, map_);
     surface_.accept_lone(grid_, config_, cells_);
   }
@@ -73,23 +75,8 @@ class Stages {
     update_elevation(grid_, cells_, config_, runner_, map_);
     map_.mark_observed();
   }
-  void fill_map() {
-    if (config_.fit_surface)
-      surface_.fill(grid_, plane(), config_, cells_, map_);
-    else
-      interpolate_map();
-  }
-  void interpolate_map() {
-    const Point3f sensor = positions_.sensors.front();
-    interpolate(cells_.is_ground(), map_.nearest_cell(sensor.x), map_.nearest_cell(sensor.y),
-                config_, map_);
-  }
-  void choose_limits() {
-    if (config_.threshold_by_column)
-      limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
-    else
-      limits_.choose_by_class(grid_, cells_.is_ground(), map_, config_);
-  }
+  void fill_map() { surface_.fill(grid_, plane(), config_, cells_, map_); }
+  void choose_limits() { limits_.choose_by_column(bins_, grid_, map_, config_, runner_); }
   void segment_points() { segment(bins_, limits_, map_, config_, runner_, labels_, heights_); }
 
   void restore_map_before() { map_ = map_before_; }
@@ -176,7 +163,6 @@ void add(const char* name, const Config& config, Stage run, Stage prepare = null
 const bool kRegistered = [] {
   add("stage/bin_points", Config{}, &Stages::bin);
   add("stage/filter_outliers", Config{}, &Stages::filter, &Stages::restore_map_before);
-  add("stage/filter_outliers/paper", Config::paper(), &Stages::filter, &Stages::restore_map_before);
   add("stage/rasterize", Config{}, &Stages::rasterise);
   add("stage/find_support", Config{}, &Stages::find_support, &Stages::bin_and_rasterise);
   add("stage/classify", Config{}, &Stages::classify);
@@ -184,7 +170,6 @@ const bool kRegistered = [] {
   add("stage/surface/reject_raised", Config{}, &Stages::reject_from_surface,
       &Stages::restore_before_surface);
   add("stage/surface/fill", Config{}, &Stages::fill_map, &Stages::restore_map_updated);
-  add("stage/interpolate", Config::paper(), &Stages::fill_map, &Stages::restore_map_updated);
   add("stage/choose_limits", Config{}, &Stages::choose_limits);
   add("stage/segment", Config{}, &Stages::segment_points);
   return true;

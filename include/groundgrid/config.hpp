@@ -10,6 +10,10 @@ namespace groundgrid {
 /// measure; `Config::paper()` follows the paper to the letter. docs/method.md explains each
 /// deviation of the default, groundgrid/parameters.hpp lists unit, range and paper symbol.
 struct GROUNDGRID_EXPORT Config {
+  // Method
+  /// The method of the paper to the letter, instead of ours that grew out of it.
+  bool paper_method = false;
+
   // Map
   /// Side of the square map around the vehicle. (m)
   double map_extent_m = 120.0;
@@ -65,12 +69,9 @@ struct GROUNDGRID_EXPORT Config {
   /// Steepest ground whose rise within a cell does not count as variance, m/m; 0: all does.
   double max_cell_slope = 0.7;
   /// Cells whose lowest returns do not form a surface of this many are not ground; 0: all may be.
-  int min_support_cells = 20;
+  int min_support_cells = 25;
 
   // Ground surface (not in the paper)
-  /// Fit planes to the ground: ground cells that rise above them are none, and cells without ground
-  /// take their height.
-  bool fit_surface = true;
   /// Least side of the blocks of planes that tell which cells rise. (m)
   double surface_block_m = 4.5;
   /// Cells more than this above the surface lose weight in the fit. (m)
@@ -96,14 +97,11 @@ struct GROUNDGRID_EXPORT Config {
   double confidence_decay = 5.0;
 
   // Segmentation (III-F)
-  /// Greatest height of a ground point in a ground cell or, by column, where nothing rises from
-  /// the ground. (paper: h_g, m)
+  /// Greatest height of a ground point in a ground cell (paper) or where nothing rises from the
+  /// ground (ours). (paper: h_g, m)
   double ground_threshold_m = 0.2;
-  /// Greatest height of a ground point in any other cell, by class. (paper: h_o, m)
+  /// Greatest height of a ground point in any other cell; of the paper's method. (paper: h_o, m)
   double obstacle_threshold_m = 0.1;
-  /// Choose the threshold by what rises from the ground in the cell and measure from the mean of
-  /// the ground points around, not from the map's height by class.
-  bool threshold_by_column = true;
   /// Returns higher than this above the map rise from the ground. (m)
   double tall_height_m = 0.3;
   /// Returns higher than this above the map, with none below them, hang over the ground. (m)

@@ -43,14 +43,6 @@ CellLimits::CellLimits(const ElevationMap& map, const TileRunner& runner)
   for (std::size_t band = 0; band < bands; ++band) mixed_[band].reserve(map.cells() / bands + 1);
 }
 
-void CellLimits::choose_by_class(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
-                                 const ElevationMap& map, const Config& config) {
-  const auto ground = static_cast<float>(config.ground_threshold_m);
-  const auto obstacle = static_cast<float>(config.obstacle_threshold_m);
-  for (const std::uint32_t cell : grid.occupied)
-    limits_[cell] = {map.height()[cell], is_ground[cell] != 0 ? ground : obstacle};
-}
-
 /// Settles the cells whose points all lie near the ground: their sums say all that is asked, and
 /// nothing rises there. The others are listed.
 void CellLimits::settle_cells(const ScanGrid& grid, const ElevationMap& map, const ColumnRule& rule,

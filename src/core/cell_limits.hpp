@@ -25,10 +25,6 @@ class CellLimits {
   /// For tasks on as many threads as `runner` has.
   CellLimits(const ElevationMap& map, const TileRunner& runner);
 
-  /// The paper's rule: the level is the map's height; h_g for ground cells, h_o for all others.
-  void choose_by_class(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
-                       const ElevationMap& map, const Config& config);
-
   /// The default's rule: what stands in the cell's column decides. A column with returns that rise
   /// from the ground (higher than tall_height_m, but below overhang_height_m, so that crowns and
   /// bridges do not count) gets a tight threshold, any other a wide one. The level is the map's

@@ -23,15 +23,6 @@ double distance_where_enough(double points, const Config& config) {
 
 }  // namespace
 
-double variance_threshold(double distance_m, const Config& config) {
-  return std::max(config.variance_distance_factor * distance_m, config.min_variance_threshold);
-}
-
-double expected_points(double distance_m, const Config& config) {
-  const double degrees = std::atan2(config.cell_size_m, distance_m) * 180.0 / std::numbers::pi;
-  return degrees / config.point_angle_deg;
-}
-
 GroundCells::GroundCells(std::size_t cells) : weighted_(cells), is_ground_(cells) {
   summarised_.reserve(cells);
   cells_.reserve(cells);

@@ -11,12 +11,6 @@
 
 namespace groundgrid {
 
-/// Eq. 1: the variance below which a cell at this planar distance from the sensor is ground, m².
-double variance_threshold(double distance_m, const Config& config);
-
-/// Eq. 2: the number of points that one beam leaves in a cell at this distance on open ground.
-double expected_points(double distance_m, const Config& config);
-
 /// The slope at a cell from its own height and those of the cells before and after it along an
 /// axis: the flatter of both sides, and none where the ground turns there. An obstacle beside the
 /// cell makes one side steep, never both.

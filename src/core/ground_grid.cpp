@@ -13,8 +13,8 @@
 #include "core/ground_elevation.hpp"
 #include "core/ground_surface.hpp"
 #include "core/input_checks.hpp"
-#include "core/interpolation.hpp"
 #include "core/outlier_filter.hpp"
+#include "core/paper_method.hpp"
 #include "core/parallel.hpp"
 #include "core/rasterization.hpp"
 #include "core/segmentation.hpp"
@@ -25,6 +25,8 @@ namespace {
 
 /// Below this cosine of its tilt a base plane says nothing about the ground around it.
 constexpr double kMinUpright = 0.5;
+constexpr std::size_t kPointsAtOnce = 4096;
+
 Eigen::Isometry3d mounting_of(const SensorScan& scan) {
   return scan.T_base_sensor ? scan.T_base_sensor->isometry() : Eigen::Isometry3d::Identity();
 }
@@ -56,7 +58,8 @@ class GroundGrid::Pipeline {
         ground_cells_(map_.cells()),
         surface_(map_, runner_),
         limits_(map_, runner_),
-        step_edges_(map_) {}
+        step_edges_(map_),
+        is_paper_ground_(map_.cells()) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
                      const ScanOutput* output);
@@ -72,7 +75,8 @@ class GroundGrid::Pipeline {
   [[nodiscard]] TerrainView terrain() const;
   std::span<const float> standard_deviation() {
     if (!map_.started()) return {};
-    return surface_.standard_deviation(grid_, plane_in_window(), config_, ground_cells_, map_);
+    if (config_.paper_method) surface_.fit_known(is_paper_ground_, plane_in_window(), config_, map_);
+    return surface_.standard_deviation(config_, map_);
   }
   [[nodiscard]] const Config& config() const { return config_; }
 
@@ -89,7 +93,7 @@ class GroundGrid::Pipeline {
   void take_points(const SensorPass& pass);
   LabelCounts run_stages();
   [[nodiscard]] LocalPlane plane_in_window() const;
-  void interpolate_from_sensor();
+  LabelCounts run_paper();
 
   Config config_;
   TileRunner runner_;
@@ -101,6 +105,7 @@ class GroundGrid::Pipeline {
   GroundSurface surface_;
   CellLimits limits_;
   StepEdges step_edges_;
+  paper::GroundMask is_paper_ground_;
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
   std::size_t sensors_ = 0;         // how many of them this scan has
@@ -139,7 +144,7 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   result.sensor_height_estimated = sensor_height_ && height_estimated_;
   result.map_restarted = place_map(motion.T_map_base_end);
   place_sensors(scans, motion);
-  const LabelCounts counts = run_stages();
+  const LabelCounts counts = config_.paper_method ? run_paper() : run_stages();
   result.ground = counts.ground;
   result.obstacle = counts.obstacle;
   result.outlier = counts.outlier;
@@ -258,20 +263,12 @@ LabelCounts GroundGrid::Pipeline::run_stages() {
   ground_cells_.classify(grid_, map_, positions_, config_, runner_,
                          need_support ? support_.is_supported().data() : nullptr);
   const LocalPlane ground = plane_in_window();
-  if (config_.fit_surface) {
-    surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
-    surface_.accept_lone(grid_, config_, ground_cells_);
-  }
+  surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
+  surface_.accept_lone(grid_, config_, ground_cells_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   map_.mark_observed();
-  if (config_.fit_surface)
-    surface_.fill(grid_, ground, config_, ground_cells_, map_);
-  else
-    interpolate_from_sensor();
-  if (config_.threshold_by_column)
-    limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
-  else
-    limits_.choose_by_class(grid_, ground_cells_.is_ground(), map_, config_);
+  surface_.fill(grid_, ground, config_, ground_cells_, map_);
+  limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
   if (config_.max_step_m > 0.0) step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_);
   return segment(bins_, limits_, map_, config_, runner_, labels_, height_above_ground_);
 }
@@ -281,12 +278,15 @@ LocalPlane GroundGrid::Pipeline::plane_in_window() const {
           ground_plane_.slope_y};
 }
 
-void GroundGrid::Pipeline::interpolate_from_sensor() {
-  const int middle = map_.size() / 2;
-  const bool none = positions_.sensors.empty();
-  const int column = none ? middle : map_.nearest_cell(positions_.sensors.front().x);
-  const int row = none ? middle : map_.nearest_cell(positions_.sensors.front().y);
-  interpolate(ground_cells_.is_ground(), column, row, config_, map_);
+LabelCounts GroundGrid::Pipeline::run_paper() {
+  const std::span passes = std::span(passes_).first(sensors_);
+  for (const SensorPass& pass : passes)
+    runner_.parallel_for_ranges(pass.points.count, kPointsAtOnce,
+                                [&](std::size_t begin, std::size_t end) {
+                                  bin_points(pass, {begin, end}, map_, config_, bins_);
+                                });
+  return paper::process({passes, positions_.sensors}, config_, bins_, grid_, is_paper_ground_, map_,
+                        {labels_, height_above_ground_});
 }
 
 TerrainView GroundGrid::Pipeline::terrain() const {

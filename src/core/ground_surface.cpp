@@ -2,6 +2,8 @@
 // paper.
 #include "core/ground_surface.hpp"
 
+#include <algorithm>
+
 #include "core/surface_kernels.hpp"
 
 namespace groundgrid {
@@ -89,16 +91,17 @@ void GroundSurface::follow_lowest(const ScanGrid& grid, const Config& config,
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, follow_cells);
 }
 
-std::span<const float> GroundSurface::standard_deviation(const ScanGrid& grid,
-                                                         const LocalPlane& ground,
-                                                         const Config& config,
-                                                         const GroundCells& ground_cells,
+void GroundSurface::fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
+                              const Config& config, const ElevationMap& map) {
+  std::copy(map.height().begin(), map.height().end(), fit_.heights().begin());
+  collect_known(is_ground, map.height(), map.confidence(),
+                static_cast<float>(config.surface_min_confidence), fit_.heights());
+  fit_.accept_all();
+  fit_.fit(map.height(), ground);
+}
+
+std::span<const float> GroundSurface::standard_deviation(const Config& config,
                                                          const ElevationMap& map) {
-  if (!config.fit_surface) {
-    collect(grid, ground_cells, map, config);
-    fit_.accept_all();
-    fit_.fit(map.height(), ground);
-  }
   fit_.standard_deviation(map.height(), config, deviation_);
   return deviation_;
 }

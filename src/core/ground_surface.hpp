@@ -35,11 +35,14 @@ class GroundSurface {
   void fill(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
             const GroundCells& ground_cells, ElevationMap& map);
 
-  /// Standard deviation of each cell's height in the map as it stands after a scan, metres; fits
-  /// the surface first where it did not fill the map (Config::fit_surface off).
-  std::span<const float> standard_deviation(const ScanGrid& grid, const LocalPlane& ground,
-                                            const Config& config, const GroundCells& ground_cells,
-                                            const ElevationMap& map);
+  /// For maps that fill() did not fill: fits the surface to the cells that are ground in this scan
+  /// or remembered.
+  void fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
+                 const Config& config, const ElevationMap& map);
+
+  /// Standard deviation of each cell's height in the map as it stands after fill() or fit_known(),
+  /// metres.
+  std::span<const float> standard_deviation(const Config& config, const ElevationMap& map);
 
  private:
   void collect(const ScanGrid& grid, const GroundCells& ground_cells, const ElevationMap& map,

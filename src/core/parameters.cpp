@@ -13,6 +13,8 @@ namespace {
 constexpr double kFar = 1e6;
 
 constexpr std::array kParameters{
+    Parameter{"paper_method", &Config::paper_method, "", 0.0, 1.0, "", "method",
+              "The method of the paper to the letter, instead of ours that grew out of it."},
     // Map
     Parameter{"map_extent_m", &Config::map_extent_m, "m", 3.0, 2000.0, "", "map",
               "Side of the square map around the vehicle."},
@@ -69,9 +71,6 @@ constexpr std::array kParameters{
     Parameter{"min_support_cells", &Config::min_support_cells, "", 0.0, 1e6, "", "ground_cells",
               "Cells whose lowest returns do not form a surface of this many are not ground; 0: "
               "all may be."},
-    Parameter{"fit_surface", &Config::fit_surface, "", 0.0, 1.0, "", "surface",
-              "Fit planes to the ground: ground cells that rise above them are none, and cells "
-              "without ground take their height."},
     Parameter{"surface_block_m", &Config::surface_block_m, "m", 0.0, kFar, "", "surface",
               "Least side of the blocks of planes that tell which cells rise."},
     Parameter{"surface_tolerance_m", &Config::surface_tolerance_m, "m", 0.001, 10.0, "", "surface",
@@ -95,13 +94,11 @@ constexpr std::array kParameters{
     // Segmentation
     Parameter{"ground_threshold_m", &Config::ground_threshold_m, "m", 0.0, 10.0, "h_g",
               "segmentation",
-              "Greatest height of a ground point in a ground cell or, by column, where nothing "
-              "rises from the ground."},
+              "Greatest height of a ground point in a ground cell (paper) or where nothing rises "
+              "from the ground (ours)."},
     Parameter{"obstacle_threshold_m", &Config::obstacle_threshold_m, "m", 0.0, 10.0, "h_o",
-              "segmentation", "Greatest height of a ground point in any other cell, by class."},
-    Parameter{"threshold_by_column", &Config::threshold_by_column, "", 0.0, 1.0, "", "segmentation",
-              "Choose the threshold by what rises from the ground in the cell and measure from "
-              "the mean of the ground points around, not from the map's height by class."},
+              "segmentation",
+              "Greatest height of a ground point in any other cell; of the paper's method."},
     Parameter{"tall_height_m", &Config::tall_height_m, "m", 0.0, 100.0, "", "segmentation",
               "Returns higher than this above the map rise from the ground."},
     Parameter{

@@ -121,16 +121,9 @@ HWY_INLINE std::size_t Append(V values, M mask, D d, hn::TFromD<D>* to) {
   return hn::CountTrue(d, mask);
 }
 
-/// Adds one point to the moments of its cell.
+/// add_point() with vectors.
 #if HWY_TARGET == HWY_SCALAR
-HWY_INLINE void AddPoint(CellStatistics& cell, std::int32_t z) {
-  const std::int64_t height = z;
-  cell.sum += height;
-  cell.sum_squares += static_cast<std::uint64_t>(height * height);
-  cell.min = std::min(cell.min, z);
-  cell.max = std::max(cell.max, z);
-  ++cell.count;
-}
+HWY_INLINE void AddPoint(CellStatistics& cell, std::int32_t z) { add_point(z, cell); }
 #else
 HWY_INLINE void AddPoint(CellStatistics& cell, std::int32_t z) {
   const hn::FixedTag<std::int64_t, 2> sums;

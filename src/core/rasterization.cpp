@@ -108,12 +108,4 @@ void add_to_cells(const BinnedPoints& bins, const PointRange& range, const CellB
 
 void list_occupied(ScanGrid& grid) { append_marked(grid.is_occupied, 1, grid.occupied); }
 
-void rasterize(const BinnedPoints& bins, TileRunner& runner, ScanGrid& grid) {
-  clear(grid);
-  for_each_band(grid.statistics.size(), runner, [&](const CellBand& band, std::size_t) {
-    add_to_cells(bins, {0, bins.cell.size()}, band, grid);
-  });
-  list_occupied(grid);
-}
-
 }  // namespace groundgrid

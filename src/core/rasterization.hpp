@@ -59,6 +59,16 @@ inline float lowest_m(const CellStatistics& cell) {
   return static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
 }
 
+/// Adds a point to the moments of its cell.
+inline void add_point(std::int32_t z, CellStatistics& cell) {
+  const std::int64_t height = z;
+  cell.sum += height;
+  cell.sum_squares += static_cast<std::uint64_t>(height * height);
+  cell.min = std::min(cell.min, z);
+  cell.max = std::max(cell.max, z);
+  ++cell.count;
+}
+
 /// Points [begin, end) of one sensor.
 struct PointRange {
   std::size_t begin = 0;
@@ -113,8 +123,5 @@ void clear(ScanGrid& grid);
 void add_to_cells(const BinnedPoints& bins, const PointRange& range, const CellBand& band,
                   ScanGrid& grid);
 void list_occupied(ScanGrid& grid);
-
-/// All three for all points.
-void rasterize(const BinnedPoints& bins, TileRunner& runner, ScanGrid& grid);
 
 }  // namespace groundgrid

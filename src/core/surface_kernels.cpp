@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/interpolation.hpp"
+#include "core/equations.hpp"
 #include "core/vector_loop.hpp"
 
 #undef HWY_TARGET_INCLUDE

@@ -15,6 +15,7 @@ namespace {
 using Stage = std::pair<std::string_view, std::string_view>;
 
 constexpr std::array kHeadings{
+    Stage{"method", "Method"},
     Stage{"map", "Map"},
     Stage{"vehicle", "Vehicle and sensor"},
     Stage{"outlier_filter", "Outlier filter (III-A)"},

@@ -67,22 +67,5 @@ TEST_F(CellLimitsByColumn, TheScanBeforeIsForgotten) {
   EXPECT_NEAR(limits_.limits()[cell_index(map_, 11, 10)].level, 0.0F, 1e-6F);
 }
 
-TEST(CellLimitsByClass, GroundCellsAndOthers) {
-  const Config paper = metre_grid(11);
-  ElevationMap map = flat_map(paper);
-  for (float& height : map.height()) height = 0.7F;
-  PointsInCells points(map);
-  points.add(1, 1, {0.0});
-  points.add(2, 2, {0.0});
-  std::vector<std::uint8_t> is_ground(map.cells());
-  is_ground[cell_index(map, 1, 1)] = 1;
-  CellLimits limits(map, TileRunner(1));
-  limits.choose_by_class(points.grid(), is_ground, map, paper);
-  EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 1, 1)].threshold, 0.3F);  // h_g
-  EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 2, 2)].threshold, 0.1F);  // h_o
-  EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 1, 1)].level, 0.7F);
-  EXPECT_FLOAT_EQ(limits.limits()[cell_index(map, 2, 2)].level, 0.7F);
-}
-
 }  // namespace
 }  // namespace groundgrid

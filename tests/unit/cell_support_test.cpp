@@ -23,9 +23,8 @@ class CellSupportTest : public ::testing::Test {
   }
 
   void find(const PointsInCells& points) {
-    TileRunner runner(1);
     bins_ = points.bins();
-    rasterize(bins_, runner, grid_);
+    paper::rasterize(bins_, grid_);
     support_.find(config_, bins_, grid_);
   }
   std::size_t at(int column, int row) const { return cell_index(map_, column, row); }

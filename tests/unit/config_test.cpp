@@ -31,12 +31,18 @@ TEST(Config, PaperHasTheValuesOfItsParameterSection) {
 
 TEST(Config, PaperHasNoneOfTheDefaultsDeviations) {
   const Config paper = Config::paper();
-  EXPECT_LE(paper.outlier_min_depth_m, -1e6);  // every point is tested
-  EXPECT_EQ(paper.max_cell_slope, 0.0);        // variance is variance, on slopes too
-  EXPECT_EQ(paper.min_support_cells, 0);       // variance and count alone make a ground cell
-  EXPECT_FALSE(paper.threshold_by_column);     // h_g or h_o by the cell's class
-  EXPECT_EQ(paper.min_range_m, 0.0);           // no near zone
+  EXPECT_TRUE(paper.paper_method);
+  EXPECT_FALSE(Config{}.paper_method);
+  EXPECT_EQ(paper.min_range_m, 0.0);  // no near zone
   EXPECT_FALSE(paper.sensor_height_m.has_value());
+}
+
+TEST(Config, ThePapersMethodKnowsNoSteps) {
+  Config config = Config::paper();
+  config.max_step_m = 0.1;
+  EXPECT_THROW(config.validate(), std::invalid_argument);
+  config.paper_method = false;
+  EXPECT_NO_THROW(config.validate());
 }
 
 TEST(Config, BothPresetsAreValid) {

@@ -17,29 +17,6 @@ using testing::flat_map;
 using testing::metre_grid;
 using testing::PointsInCells;
 
-TEST(VarianceThreshold, GrowsWithDistanceAndHasAMinimum) {
-  const Config paper = Config::paper();
-  // t_v = d_sf · d = 1e-5 · 10 = 1e-4; 1e-5 · 60 = 6e-4
-  EXPECT_DOUBLE_EQ(variance_threshold(10.0, paper), 1e-4);
-  EXPECT_DOUBLE_EQ(variance_threshold(60.0, paper), 6e-4);
-  // 1e-5 · 3 = 3e-5 is below the minimum 5 · d_sf = 5e-5, which is reached at 5 m.
-  EXPECT_DOUBLE_EQ(variance_threshold(3.0, paper), 5e-5);
-  EXPECT_DOUBLE_EQ(variance_threshold(0.0, paper), 5e-5);
-  EXPECT_DOUBLE_EQ(variance_threshold(5.0, paper), 5e-5);
-}
-
-TEST(ExpectedPoints, IsTheCellsAngleOverThePointAngle) {
-  const Config paper = Config::paper();  // R = 0.33 m, d_pv = 0.4°
-  // d = R: atan(1) = 45°, 45 / 0.4 = 112.5
-  EXPECT_NEAR(expected_points(0.33, paper), 112.5, 1e-9);
-  // d = R·√3: atan(1/√3) = 30°, 30 / 0.4 = 75
-  EXPECT_NEAR(expected_points(0.33 * std::sqrt(3.0), paper), 75.0, 1e-9);
-  // d = 20: atan(0.0165) = 0.0165 − 0.0165³/3 = 0.01649850 rad = 0.945295°, / 0.4 = 2.36324
-  EXPECT_NEAR(expected_points(20.0, paper), 2.36324, 1e-5);
-  // d = 0: 90°, 90 / 0.4 = 225
-  EXPECT_NEAR(expected_points(0.0, paper), 225.0, 1e-9);
-}
-
 /// Classifies the points of one scan on an 11 × 11 map with the sensor over cell (5, 5).
 class GroundCellsTest : public ::testing::Test {
  protected:

@@ -1,4 +1,4 @@
-// Paper III-D: eq. 4, 5 and 6, and the cells that are not ground.
+// Paper III-D: what a scan does to the cells of the map.
 #include "core/ground_elevation.hpp"
 
 #include <gtest/gtest.h>
@@ -12,59 +12,6 @@ using testing::cell_index;
 using testing::flat_map;
 using testing::metre_grid;
 using testing::PointsInCells;
-
-TEST(ObservationConfidence, IsThePatchsPointsOverTheScaleFromZeroToOne) {
-  const Config paper = Config::paper();  // s = 20
-  EXPECT_FLOAT_EQ(observation_confidence(0.0F, paper), 0.0F);
-  EXPECT_FLOAT_EQ(observation_confidence(5.0F, paper), 0.25F);  // 5 / 20
-  EXPECT_FLOAT_EQ(observation_confidence(20.0F, paper), 1.0F);
-  EXPECT_FLOAT_EQ(observation_confidence(50.0F, paper), 1.0F);  // 2.5, clamped
-}
-
-TEST(FuseGround, WeighsHeightsByConfidence) {
-  // Eq. 5: (0.25·2 + 0.5·1) / (0.25 + 0.5) = 1 / 0.75 = 1.333333
-  // Eq. 6: (0.25/2 + 0.5) / 2 = 0.3125
-  const CellEstimate fused = fuse_ground({1.0F, 0.5F}, 2.0F, 0.25F);
-  EXPECT_FLOAT_EQ(fused.height, 4.0F / 3.0F);
-  EXPECT_FLOAT_EQ(fused.confidence, 0.3125F);
-}
-
-TEST(FuseGround, TakesTheObservationWhereNothingIsKnown) {
-  // (0.5·2 + 0·7) / 0.5 = 2; (0.5/2 + 0) / 2 = 0.125
-  const CellEstimate fused = fuse_ground({7.0F, 0.0F}, 2.0F, 0.5F);
-  EXPECT_FLOAT_EQ(fused.height, 2.0F);
-  EXPECT_FLOAT_EQ(fused.confidence, 0.125F);
-}
-
-TEST(FuseGround, KeepsTheHeightWhereNeitherHasConfidence) {
-  const CellEstimate fused = fuse_ground({7.0F, 0.0F}, 2.0F, 0.0F);
-  EXPECT_FLOAT_EQ(fused.height, 7.0F);
-  EXPECT_FLOAT_EQ(fused.confidence, 0.0F);
-}
-
-TEST(FuseGround, RepeatedFullObservationsLeadToHalfConfidence) {
-  // Eq. 6 with q = 1: c = (0.5 + c) / 2 has its fixed point at 0.5.
-  CellEstimate estimate{0.0F, 0.0F};
-  for (int scan = 0; scan < 40; ++scan) estimate = fuse_ground(estimate, 1.0F, 1.0F);
-  EXPECT_NEAR(estimate.confidence, 0.5F, 1e-6F);
-  EXPECT_NEAR(estimate.height, 1.0F, 1e-6F);
-}
-
-TEST(FuseObstacle, LowersTheGroundAndAddsALittleConfidence) {
-  const CellEstimate lowered = fuse_obstacle({1.0F, 0.2F}, 0.4F);
-  EXPECT_FLOAT_EQ(lowered.height, 0.4F);
-  EXPECT_FLOAT_EQ(lowered.confidence, 0.3F);                             // min(0.2 + 0.1, 0.5)
-  EXPECT_FLOAT_EQ(fuse_obstacle({1.0F, 0.45F}, 0.4F).confidence, 0.5F);  // min(0.55, 0.5)
-  EXPECT_FLOAT_EQ(fuse_obstacle({1.0F, 0.7F}, 0.4F).confidence, 0.5F);   // min(0.8, 0.5)
-}
-
-TEST(FuseObstacle, NeverRaisesTheGround) {
-  for (const float elevation : {1.0F, 1.5F}) {
-    const CellEstimate kept = fuse_obstacle({1.0F, 0.2F}, elevation);
-    EXPECT_FLOAT_EQ(kept.height, 1.0F);
-    EXPECT_FLOAT_EQ(kept.confidence, 0.2F);
-  }
-}
 
 TEST(UpdateElevation, TakesGroundObstacleAndSkippedCellsIntoTheMap) {
   Config config = metre_grid(11);

@@ -9,6 +9,7 @@
 #include <random>
 #include <utility>
 
+#include "core/line_of_sight.hpp"
 #include "support/stages.hpp"
 
 namespace groundgrid {

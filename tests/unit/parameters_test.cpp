@@ -136,15 +136,15 @@ TEST(SetParameter, SetsFieldsOfEachKind) {
   set_parameter(config, "cell_size_m", "0.25");
   set_parameter(config, "sensor_height_m", "1.73");
   set_parameter(config, "own_variance_min_points", "7");
-  set_parameter(config, "threshold_by_column", "off");
+  set_parameter(config, "paper_method", "on");
   EXPECT_EQ(config.cell_size_m, 0.25);
   EXPECT_EQ(config.sensor_height_m, 1.73);
   EXPECT_EQ(config.own_variance_min_points, 7);
-  EXPECT_FALSE(config.threshold_by_column);
+  EXPECT_TRUE(config.paper_method);
   set_parameter(config, "sensor_height_m", "none");
-  set_parameter(config, "threshold_by_column", "true");
+  set_parameter(config, "paper_method", "false");
   EXPECT_FALSE(config.sensor_height_m.has_value());
-  EXPECT_TRUE(config.threshold_by_column);
+  EXPECT_FALSE(config.paper_method);
 }
 
 TEST(SetParameter, ReachesEveryField) {
@@ -189,8 +189,8 @@ TEST(SetParameter, RejectsWhatIsNoValueAndNamesTheField) {
                                                                   {"threads", "true"},
                                                                   {"sensor_height_m", "None"},
                                                                   {"sensor_height_m", "1000"},
-                                                                  {"threshold_by_column", "yes"},
-                                                                  {"threshold_by_column", "2"}}) {
+                                                                  {"paper_method", "yes"},
+                                                                  {"paper_method", "2"}}) {
     EXPECT_NE(complaint_about(name, value).find(name), std::string::npos)
         << name << " = '" << value << "': " << complaint_about(name, value);
   }

@@ -63,13 +63,13 @@ TEST(Rasterize, LeavesOutliersOutAndForgetsTheScanBefore) {
   TileRunner runner(1);
   BinnedPoints bins = points.bins();
   bins.cell[1] |= BinnedPoints::kOutlier;
-  rasterize(bins, runner, grid);
+  paper::rasterize(bins, grid);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].count, 1U);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].max, 10000);
 
   PointsInCells next(map);
   next.add(5, 5, {0.0});
-  rasterize(next.bins(), runner, grid);
+  paper::rasterize(next.bins(), grid);
   EXPECT_EQ(grid.statistics[cell_index(map, 3, 4)].count, 0U);
   EXPECT_EQ(grid.is_occupied[cell_index(map, 3, 4)], 0);
   EXPECT_EQ(grid.occupied.size(), 1U);
@@ -82,7 +82,7 @@ TEST(Rasterize, SumsOfTwoMillionPointsInOneCellDoNotOverflow) {
   bins.z.assign(2'000'000, 2'000'000);  // 200 m
   ScanGrid grid(map.cells());
   TileRunner runner(1);
-  rasterize(bins, runner, grid);
+  paper::rasterize(bins, grid);
   EXPECT_EQ(grid.statistics[60].count, 2'000'000U);
   EXPECT_DOUBLE_EQ(grid.statistics[60].mean_m(), 200.0);
   EXPECT_EQ(grid.statistics[60].variance_m2(), 0.0);

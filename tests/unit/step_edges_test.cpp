@@ -27,7 +27,10 @@ class StepEdgesOnGround : public ::testing::Test {
  protected:
   StepEdgesOnGround()
       : config_(metre_grid(kSize)), map_(flat_map(config_)), points_(std::in_place, map_) {
-    config_.ground_threshold_m = config_.obstacle_threshold_m = 0.5;
+    // Up to 0.5 m above the map all is ground, whatever the column holds.
+    config_.ground_threshold_m = 0.5;
+    config_.level_band_m = 0.0;
+    config_.tall_height_m = 100.0;
     config_.max_step_m = 0.1;
   }
 
@@ -53,9 +56,8 @@ class StepEdgesOnGround : public ::testing::Test {
   /// Height up to which the points of a cell are ground; 0.5 m above the map unless lowered.
   float ground_up_to(int column, int row, int threads = 2) {
     TileRunner runner(threads);
-    const std::vector<std::uint8_t> is_ground(map_.cells());
     CellLimits limits(map_, runner);
-    limits.choose_by_class(points_->grid(), is_ground, map_, config_);
+    limits.choose_by_column(points_->bins(), points_->grid(), map_, config_, runner);
     edges_.lower_limits(points_->bins(), points_->grid(), config_, runner, limits);
     const CellLimit limit = limits.limits()[cell_index(map_, column, row)];
     return limit.level + limit.threshold;
