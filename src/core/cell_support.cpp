@@ -21,7 +21,7 @@ constexpr float kNowhere = -1e9F;
 constexpr float kEverywhere = 1e9F;
 constexpr std::size_t kPointsAtOnce = 2048;
 // Two do on scans as they come, four where every twentieth return lies below the ground.
-constexpr int kMostPasses = 8;
+constexpr std::uint8_t kMostPasses = 8;
 
 std::int32_t steps(double metres) {
   return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
@@ -47,7 +47,8 @@ CellSupport::CellSupport(const ElevationMap& map)
   }
   std::stable_sort(neighbours_.begin(), neighbours_.end(),
                    [](const Neighbour& a, const Neighbour& b) { return a.rise < b.rise; });
-  for (auto* cells : {&cells_, &unsupported_, &again_, &surface_, &cut_}) cells->reserve(map.cells());
+  for (auto* cells : {&cells_, &unsupported_, &newly_, &surface_, &cut_})
+    cells->reserve(map.cells());
 }
 
 /// Calls visit(cell of the neighbour, Neighbour) until it returns true, within the window.
@@ -56,12 +57,15 @@ void CellSupport::for_each_neighbour(std::uint32_t cell, int row, const Visit& v
   const int column = static_cast<int>(cell) - row * size_;
   const auto far_from_edge = [&](int i) { return i >= kReach && i < size_ - kReach; };
   const auto inside = [&](int i) { return i >= 0 && i < size_; };
-  const bool all_inside = far_from_edge(column) && far_from_edge(row);
-  for (const Neighbour& neighbour : neighbours_) {
-    if (!all_inside && !(inside(column + neighbour.column) && inside(row + neighbour.row)))
-      continue;
-    if (visit(cell + static_cast<std::uint32_t>(neighbour.offset), neighbour)) return;
+  if (far_from_edge(column) && far_from_edge(row)) {
+    for (const Neighbour& neighbour : neighbours_)
+      if (visit(cell + static_cast<std::uint32_t>(neighbour.offset), neighbour)) return;
+    return;
   }
+  for (const Neighbour& neighbour : neighbours_)
+    if (inside(column + neighbour.column) && inside(row + neighbour.row) &&
+        visit(cell + static_cast<std::uint32_t>(neighbour.offset), neighbour))
+      return;
 }
 
 void CellSupport::forget() {
@@ -71,10 +75,11 @@ void CellSupport::forget() {
   }
 }
 
-/// Follows the surface from a cell over its neighbours until it has enough cells or ends.
-void CellSupport::follow(std::uint32_t seed, std::size_t enough) {
+/// Follows the surface from a cell over its neighbours until it has enough cells or ends; returns
+/// whether it is supported, and then so are the cells found.
+bool CellSupport::follow(std::uint32_t seed, std::size_t enough, std::uint8_t visit) {
   surface_.assign(1, seed);
-  visited_[seed] = 1;
+  visited_[seed] = visit;
   bool supported = surface_.size() >= enough;
   for (std::size_t next = 0; next < surface_.size() && !supported; ++next) {
     const std::uint32_t cell = surface_[next];
@@ -82,8 +87,8 @@ void CellSupport::follow(std::uint32_t seed, std::size_t enough) {
     for_each_neighbour(cell, static_cast<int>(cell) / size_,
                        [&](std::uint32_t other, const Neighbour& neighbour) {
                          if (std::abs(lowest_[other] - height) > neighbour.rise) return false;
-                         if (visited_[other] == 0) {
-                           visited_[other] = 1;
+                         if (visited_[other] != visit) {
+                           visited_[other] = visit;
                            surface_.push_back(other);
                          }
                          supported = supported_[other] != 0 || surface_.size() >= enough;
@@ -92,33 +97,60 @@ void CellSupport::follow(std::uint32_t seed, std::size_t enough) {
   }
   if (supported)
     for (const std::uint32_t cell : surface_) supported_[cell] = 1;
+  return supported;
 }
 
 /// Most cells lie beside one that is known to be supported.
-void CellSupport::judge(std::span<const std::uint32_t> cells, std::size_t enough) {
+void CellSupport::judge_all(std::size_t enough) {
   unsupported_.clear();
   AscendingRows rows(static_cast<std::size_t>(size_));
-  for (const std::uint32_t cell : cells) {
-    const std::int32_t height = lowest_[cell];
+  for (const std::uint32_t cell : cells_) {
     const auto row = static_cast<int>(rows.row_of(cell));
-    if (supported_[cell] == 0)
-      for_each_neighbour(cell, row, [&](std::uint32_t other, const Neighbour& neighbour) {
-        if (supported_[other] == 0 || std::abs(lowest_[other] - height) > neighbour.rise)
-          return false;
-        supported_[cell] = 1;
-        return true;
-      });
-    if (supported_[cell] == 0 && visited_[cell] == 0) follow(cell, enough);
-  }
-  for (const std::uint32_t cell : cells)
+    if (supported_[cell] != 0) continue;
+    const std::int32_t height = lowest_[cell];
+    for_each_neighbour(cell, row, [&](std::uint32_t other, const Neighbour& neighbour) {
+      if (supported_[other] == 0 || std::abs(lowest_[other] - height) > neighbour.rise)
+        return false;
+      supported_[cell] = 1;
+      return true;
+    });
+    if (supported_[cell] == 0 && visited_[cell] == 0) follow(cell, enough, 1);
     if (supported_[cell] == 0) unsupported_.push_back(cell);
+  }
+}
+
+/// The cells that returns were cut from may now be supported, and support others. `unsupported_`
+/// becomes the cells beside those.
+void CellSupport::judge_cut(std::size_t enough, std::uint8_t visit) {
+  newly_.clear();
+  for (const std::uint32_t cell : cut_)
+    if (lowest_[cell] != kEmpty && visited_[cell] != visit && follow(cell, enough, visit))
+      newly_.insert(newly_.end(), surface_.begin(), surface_.end());
+  unsupported_.clear();
+  for (std::size_t next = 0; next < newly_.size(); ++next) {
+    const std::uint32_t cell = newly_[next];
+    for_each_neighbour(cell, static_cast<int>(cell) / size_,
+                       [&](std::uint32_t other, const Neighbour& neighbour) {
+                         if (supported_[other] != 0 || lowest_[other] == kEmpty) return false;
+                         if (std::abs(lowest_[other] - lowest_[cell]) > neighbour.rise) {
+                           unsupported_.push_back(other);
+                         } else {
+                           supported_[other] = 1;
+                           newly_.push_back(other);
+                         }
+                         return false;
+                       });
+  }
+  std::sort(unsupported_.begin(), unsupported_.end());
+  unsupported_.erase(std::unique(unsupported_.begin(), unsupported_.end()), unsupported_.end());
+  std::erase_if(unsupported_, [&](std::uint32_t cell) { return supported_[cell] != 0; });
 }
 
 /// Unsupported cells that reach below the supported ones beside them, and how far they may.
-void CellSupport::find_floors(std::span<const std::uint32_t> cells) {
+void CellSupport::find_floors() {
   cut_.clear();
   AscendingRows rows(static_cast<std::size_t>(size_));
-  for (const std::uint32_t cell : cells) {
+  for (const std::uint32_t cell : unsupported_) {
     std::int32_t floor = -kEmpty;
     for_each_neighbour(cell, static_cast<int>(rows.row_of(cell)),
                        [&](std::uint32_t other, const Neighbour& neighbour) {
@@ -160,8 +192,6 @@ void CellSupport::set_aside(BinnedPoints& bins, ScanGrid& grid) {
     }
     add_points({cells, heights, kept}, all, grid.statistics.data(), grid.is_occupied.data());
   }
-  grid.occupied.clear();
-  list_occupied(grid);
   for (const std::uint32_t cell : cut_) {
     look_below_[cell] = kNowhere;
     lowest_[cell] = grid.is_occupied[cell] != 0 ? grid.statistics[cell].min : kEmpty;
@@ -173,17 +203,15 @@ void CellSupport::find(const Config& config, BinnedPoints& bins, ScanGrid& grid)
   forget();
   cells_ = grid.occupied;
   for (const std::uint32_t cell : cells_) lowest_[cell] = grid.statistics[cell].min;
-  judge(cells_, enough);
+  judge_all(enough);
   // What is left of a cell may support others, and show what lies below it.
-  for (int pass = 0; pass < kMostPasses; ++pass) {
-    find_floors(unsupported_);
-    if (cut_.empty()) return;
+  for (std::uint8_t pass = 0; pass < kMostPasses; ++pass) {
+    find_floors();
+    if (cut_.empty()) break;
     set_aside(bins, grid);
-    again_.swap(unsupported_);
-    std::erase_if(again_, [&](std::uint32_t cell) { return lowest_[cell] == kEmpty; });
-    for (const std::uint32_t cell : again_) visited_[cell] = 0;
-    judge(again_, enough);
+    judge_cut(enough, static_cast<std::uint8_t>(pass + 2));
   }
+  std::erase_if(grid.occupied, [&](std::uint32_t cell) { return grid.is_occupied[cell] == 0; });
 }
 
 }  // namespace groundgrid

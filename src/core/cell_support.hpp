@@ -30,7 +30,7 @@ class CellSupport {
   static constexpr int kReach = 2;
   static constexpr std::size_t kNeighbours = (2 * kReach + 1) * (2 * kReach + 1) - 1;
   struct Neighbour {
-    int column = 0;           ///< Relative to the cell.
+    int column = 0;  ///< Relative to the cell.
     int row = 0;
     std::int32_t offset = 0;  ///< Of the index.
     std::int32_t rise = 0;    ///< Heights of one surface differ by this at most, steps.
@@ -40,19 +40,20 @@ class CellSupport {
   template <typename Visit>
   void for_each_neighbour(std::uint32_t cell, int row, const Visit& visit) const;
   void forget();
-  void judge(std::span<const std::uint32_t> cells, std::size_t enough);
-  void follow(std::uint32_t seed, std::size_t enough);
-  void find_floors(std::span<const std::uint32_t> cells);
+  void judge_all(std::size_t enough);
+  bool follow(std::uint32_t seed, std::size_t enough, std::uint8_t visit);
+  void find_floors();
   void set_aside(BinnedPoints& bins, ScanGrid& grid);
+  void judge_cut(std::size_t enough, std::uint8_t visit);
 
   int size_;
   std::array<Neighbour, kNeighbours> neighbours_{};  // the nearest ones first
   std::vector<std::int32_t> lowest_;                 // per cell, steps; kEmpty without points
   std::vector<std::uint8_t> supported_;              // per cell
-  std::vector<std::uint8_t> visited_;                // per cell
+  std::vector<std::uint8_t> visited_;                // per cell: the last visit that came by
   std::vector<std::uint32_t> cells_;                 // the occupied cells, ascending
-  std::vector<std::uint32_t> unsupported_;           // of those that were judged last, ascending
-  std::vector<std::uint32_t> again_;                 // cells to be judged a second time
+  std::vector<std::uint32_t> unsupported_;           // cells to find floors for, ascending
+  std::vector<std::uint32_t> newly_;                 // cells that became supported by a cut
   std::vector<std::uint32_t> surface_;               // cells that hang together, as they are found
   std::vector<std::uint32_t> cut_;                   // cells with returns below their floor
   std::vector<std::int32_t> floor_;                  // per cell of cut_, steps

@@ -52,7 +52,8 @@ void Config::validate() const {
   }
   if (paper_method && max_step_m > 0.0)
     throw std::invalid_argument(
-        "max_step_m: the paper's method knows no steps; leave it at 0, or set paper_method = false");
+        "max_step_m: the paper's method knows no steps; leave it at 0, or set paper_method = "
+        "false");
   if (map_extent_m / cell_size_m > 4096.0 || map_extent_m < 9.0 * cell_size_m)
     throw std::invalid_argument(
         "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 130 bytes); choose "

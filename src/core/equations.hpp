@@ -15,8 +15,8 @@ struct CellEstimate {
   float confidence = 0.0F;  ///< 0 to 1.
 };
 
-/// Eq. 1: t_v = d_sf · d, at least t_minv: the variance in m² below which a cell at this distance in
-/// metres from the sensor is ground.
+/// Eq. 1: t_v = d_sf · d, at least t_minv: the variance in m² below which a cell at this distance
+/// in metres from the sensor is ground.
 inline double variance_threshold(double distance_m, const Config& config) {
   return std::max(config.variance_distance_factor * distance_m, config.min_variance_threshold);
 }

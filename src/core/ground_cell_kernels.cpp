@@ -182,8 +182,9 @@ void ClassifyCells(std::span<const std::uint32_t> occupied, const ClassRule& rul
       const bool smooth = block.observed[i] != 0 && block.smooth[i] != 0;
       const bool observed = supported && block.observed[i] != 0;
       const bool ground = supported && smooth;
-      answers[first + i] = {block.patch[i].points, block.elevation[i], block.variance[i], observed,
-                            ground, smooth && !supported};
+      answers[first + i] = {
+          block.patch[i].points, block.elevation[i], block.variance[i], observed, ground,
+          smooth && !supported};
       is_ground[block.cells[i]] = ground ? 1 : 0;
     }
   }

@@ -61,8 +61,8 @@ void GroundCells::list_enough(const Config& config) {
 }
 
 void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
-                           const SensorPositions& sensors, const Config& config,
-                           TileRunner& runner, const std::uint8_t* supported) {
+                           const SensorPositions& sensors, const Config& config, TileRunner& runner,
+                           const std::uint8_t* supported) {
   summarise(grid, runner);
   list_enough(config);
   ClassRule rule;

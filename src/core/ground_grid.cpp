@@ -75,7 +75,8 @@ class GroundGrid::Pipeline {
   [[nodiscard]] TerrainView terrain() const;
   std::span<const float> standard_deviation() {
     if (!map_.started()) return {};
-    if (config_.paper_method) surface_.fit_known(is_paper_ground_, plane_in_window(), config_, map_);
+    if (config_.paper_method)
+      surface_.fit_known(is_paper_ground_, plane_in_window(), config_, map_);
     return surface_.standard_deviation(config_, map_);
   }
   [[nodiscard]] const Config& config() const { return config_; }

@@ -75,8 +75,9 @@ Patch sum_patch(const ScanGrid& grid, int size, int column, int row, double dist
 double distance_to_sensor(const Scan& scan, double cell_size, int column, int row) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Point3f& sensor : scan.positions)
-    nearest = std::min(nearest, std::hypot((column + 0.5) * cell_size - static_cast<double>(sensor.x),
-                                           (row + 0.5) * cell_size - static_cast<double>(sensor.y)));
+    nearest =
+        std::min(nearest, std::hypot((column + 0.5) * cell_size - static_cast<double>(sensor.x),
+                                     (row + 0.5) * cell_size - static_cast<double>(sensor.y)));
   return nearest;
 }
 
@@ -131,8 +132,8 @@ void observe_ground(const Scan& scan, const ScanGrid& grid, const Config& config
 /// III-E: "The ground elevation is interpolated for cells where no ground points were detected. The
 /// interpolation is performed spirally from the sensor origin." Each cell sees what those before it
 /// have become.
-void interpolate_terrain(const Scan& scan, const GroundMask& is_ground,
-                         const Config& config, ElevationMap& map) {
+void interpolate_terrain(const Scan& scan, const GroundMask& is_ground, const Config& config,
+                         ElevationMap& map) {
   const int size = map.size();
   const auto theta = static_cast<float>(config.confidence_decay);
   float* heights = map.height().data();
@@ -160,8 +161,8 @@ void interpolate_terrain(const Scan& scan, const GroundMask& is_ground,
 
 /// III-F: "We compare two threshold parameters h_g and h_o with each point's z-height above the
 /// corresponding cell's elevation": h_g in ground cells, h_o in all others.
-LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground,
-                    const ElevationMap& map, const Config& config, const Answers& answers) {
+LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground, const ElevationMap& map,
+                    const Config& config, const Answers& answers) {
   LabelCounts counts;
   for (std::size_t i = 0; i < bins.cell.size(); ++i) {
     if (bins.cell[i] == BinnedPoints::kNoCell) {
@@ -171,8 +172,10 @@ LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground,
       continue;
     }
     const std::uint32_t cell = bins.cell[i] & ~BinnedPoints::kOutlier;
-    const float height = static_cast<float>(bins.z[i]) / BinnedPoints::kStepsPerMetre - map.height()[cell];
-    const double threshold = is_ground[cell] != 0 ? config.ground_threshold_m : config.obstacle_threshold_m;
+    const float height =
+        static_cast<float>(bins.z[i]) / BinnedPoints::kStepsPerMetre - map.height()[cell];
+    const double threshold =
+        is_ground[cell] != 0 ? config.ground_threshold_m : config.obstacle_threshold_m;
     answers.height_above_ground[i] = height;
     if (bins.is_outlier(i)) {
       answers.labels[i] = Label::outlier;

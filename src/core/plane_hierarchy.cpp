@@ -246,11 +246,10 @@ float PlaneHierarchy::between_blocks(const Level& level, std::size_t column, std
 float PlaneHierarchy::height_at(std::size_t l, std::uint32_t cell) const {
   const BlockPlanes& planes = levels_[l].planes;
   const auto size = static_cast<std::size_t>(size_);
-  return between_blocks(levels_[l], cell % size, cell / size,
-                        [&](std::size_t block, float x, float y) {
-                          return planes.height[block] + planes.slope_x[block] * x +
-                                 planes.slope_y[block] * y;
-                        });
+  return between_blocks(
+      levels_[l], cell % size, cell / size, [&](std::size_t block, float x, float y) {
+        return planes.height[block] + planes.slope_x[block] * x + planes.slope_y[block] * y;
+      });
 }
 
 void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) const {

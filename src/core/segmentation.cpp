@@ -36,7 +36,7 @@ LabelCounts segment(const BinnedPoints& bins, const CellLimits& limits, const El
       const std::uint32_t cell = bins.cell[i] & ~BinnedPoints::kOutlier;
       height_above_ground[i] = static_cast<float>(bins.z[i]) * kHeightStep_m - map.height()[cell];
       labels[i] = label_set_aside(height_above_ground[i], config);
-      ++(labels[i] == Label::outlier ? counts.outlier
+      ++(labels[i] == Label::outlier  ? counts.outlier
          : labels[i] == Label::ground ? counts.ground
                                       : counts.obstacle);
     }

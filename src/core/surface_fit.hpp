@@ -36,8 +36,8 @@ class SurfaceFit {
   [[nodiscard]] bool is_ground(std::uint32_t cell) const {
     return standing_[cell] == Standing::on_surface;
   }
-  /// After reject_raised(): takes a cell that had no part in it for ground if this height of it lies
-  /// on the surface; returns whether it does.
+  /// After reject_raised(): takes a cell that had no part in it for ground if this height of it
+  /// lies on the surface; returns whether it does.
   bool accept(std::uint32_t cell, float height, const Config& config);
   /// Whether a cell has a height and was taken out.
   [[nodiscard]] bool is_raised(std::uint32_t cell) const {

@@ -127,8 +127,8 @@ KerbLabels kerb_labels(const Config& config) {
   return labels;
 }
 
-TEST_P(BothPresets, AKerbHigherThanTheGreatestStepIsAnObstacle) {
-  Config config = this->config();
+TEST(Street, AKerbHigherThanTheGreatestStepIsAnObstacle) {
+  Config config;
   config.max_step_m = 0.08;
   const KerbLabels labels = kerb_labels(config);
   EXPECT_GT(labels.face, 300U);
@@ -137,8 +137,8 @@ TEST_P(BothPresets, AKerbHigherThanTheGreatestStepIsAnObstacle) {
   EXPECT_LT(labels.elsewhere_share(), 0.005);
 }
 
-TEST_P(BothPresets, ALowerOneIsGround) {
-  Config config = this->config();
+TEST(Street, ALowerOneIsGround) {
+  Config config;
   config.max_step_m = 0.14;
   EXPECT_LT(kerb_labels(config).face_share(), 0.03);
   config.max_step_m = 0.0;

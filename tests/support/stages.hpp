@@ -13,7 +13,8 @@
 
 namespace groundgrid::testing {
 
-/// The paper's values, and nothing that our method adds to them, on a map of `cells` × `cells` cells of one metre; `cells` is odd.
+/// The paper's values, and nothing that our method adds to them, on a map of `cells` × `cells`
+/// cells of one metre; `cells` is odd.
 inline Config metre_grid(int cells) {
   Config config = Config::paper();
   config.outlier_min_depth_m = -1e6;

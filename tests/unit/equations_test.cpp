@@ -81,7 +81,7 @@ TEST(Fusion, RepeatedFullObservationsLeadToHalfConfidence) {
 TEST(LoweredByObstacle, LowersTheGroundAndAddsALittleConfidence) {
   const CellEstimate lowered = lowered_by_obstacle({1.0F, 0.2F}, 0.4F);
   EXPECT_FLOAT_EQ(lowered.height, 0.4F);
-  EXPECT_FLOAT_EQ(lowered.confidence, 0.3F);                             // min(0.2 + 0.1, 0.5)
+  EXPECT_FLOAT_EQ(lowered.confidence, 0.3F);  // min(0.2 + 0.1, 0.5)
   EXPECT_FLOAT_EQ(lowered_by_obstacle({1.0F, 0.45F}, 0.4F).confidence, 0.5F);  // min(0.55, 0.5)
   EXPECT_FLOAT_EQ(lowered_by_obstacle({1.0F, 0.7F}, 0.4F).confidence, 0.5F);   // min(0.8, 0.5)
 }

@@ -134,8 +134,8 @@ TEST_F(PaperMethod, SkipsCellsWithLessThanTheirShareOfTheExpectedPoints) {
 
 TEST_F(PaperMethod, PatchesGrowFromThreeToFiveCellsAtTheirDistance) {
   config_.patch_change_distance_m = 3.0;
-  points_.add(5, 6, {0.0});   // 1 m away: 3 × 3
-  points_.add(5, 8, {1.0});   // two rows further, 3 m away: 5 × 5
+  points_.add(5, 6, {0.0});  // 1 m away: 3 × 3
+  points_.add(5, 8, {1.0});  // two rows further, 3 m away: 5 × 5
   observe();
   EXPECT_FLOAT_EQ(height(5, 6), 0.0F);
   EXPECT_FLOAT_EQ(height(5, 8), 0.5F);  // eq. 3 over both: (1 · 0 + 1 · 1) / 2
@@ -162,9 +162,9 @@ TEST_F(PaperMethod, ThresholdsAreThoseOfTheCellsClass) {
   std::vector<Label> labels(7);
   std::vector<float> heights(7);
   const LabelCounts counts = paper::segment(bins, is_ground_, map_, config_, {labels, heights});
-  EXPECT_EQ(labels, (std::vector<Label>{Label::ground, Label::obstacle, Label::ground,
-                                        Label::ground, Label::obstacle, Label::outlier,
-                                        Label::unknown}));
+  EXPECT_EQ(labels,
+            (std::vector<Label>{Label::ground, Label::obstacle, Label::ground, Label::ground,
+                                Label::obstacle, Label::outlier, Label::unknown}));
   EXPECT_EQ(counts.ground, 3U);
   EXPECT_EQ(counts.obstacle, 2U);
   EXPECT_EQ(counts.outlier, 1U);

@@ -57,7 +57,8 @@ class PlaneHierarchyTest : public ::testing::Test {
 
 TEST_F(PlaneHierarchyTest, TheHeightAtACellIsThatOfTheSurface) {
   make(61);
-  for_all([&](int x, int y) { set(x, y, 0.1 * x + std::sin(0.3 * y), (x + y) % 3 == 0 ? 1.0 : 0.0); });
+  for_all(
+      [&](int x, int y) { set(x, y, 0.1 * x + std::sin(0.3 * y), (x + y) % 3 == 0 ? 1.0 : 0.0); });
   TileRunner runner(1);
   for (const std::size_t level : {0U, 1U}) {
     PlaneHierarchy planes(size, 1.0, 1);

@@ -45,8 +45,8 @@ TEST(Segment, OnlyPointsDeepBelowTheTerrainAreOutliersOfThoseSetAside) {
   TileRunner runner(1);
   const LabelCounts counts =
       segment(bins, CellLimits(map, runner), map, config, runner, labels, heights);
-  EXPECT_EQ(labels, (std::vector<Label>{Label::outlier, Label::ground, Label::ground,
-                                        Label::obstacle}));
+  EXPECT_EQ(labels,
+            (std::vector<Label>{Label::outlier, Label::ground, Label::ground, Label::obstacle}));
   EXPECT_EQ(counts.outlier, 1U);
   EXPECT_EQ(counts.ground, 2U);
   EXPECT_EQ(counts.obstacle, 1U);
