@@ -19,11 +19,11 @@ constexpr double kDepth_m = 0.3;
 constexpr std::int32_t kEmpty = 1 << 30;
 constexpr float kNowhere = -1e9F;
 constexpr float kEverywhere = 1e9F;
-constexpr std::size_t kPointsAtOnce = 2048;
+constexpr std::size_t kCutAtOnce = 2048;
 // Two do on scans as they come, four where every twentieth return lies below the ground.
 constexpr std::uint8_t kMostPasses = 8;
 
-std::int32_t steps(double metres) {
+std::int32_t in_steps(double metres) {
   return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
 }
 
@@ -41,8 +41,8 @@ CellSupport::CellSupport(const ElevationMap& map)
     for (int column = -kReach; column <= kReach; ++column) {
       if (row == 0 && column == 0) continue;
       const double rise = kSteepest * map.cell_size() * std::hypot(column, row);
-      *next++ = {column, row, row * size_ + column, steps(kScatter_m + rise),
-                 steps(kDepth_m + rise)};
+      *next++ = {column, row, row * size_ + column, in_steps(kScatter_m + rise),
+                 in_steps(kDepth_m + rise)};
     }
   }
   std::stable_sort(neighbours_.begin(), neighbours_.end(),
@@ -173,13 +173,13 @@ void CellSupport::set_aside(BinnedPoints& bins, ScanGrid& grid) {
   }
   const CellBand all{0, static_cast<std::uint32_t>(lowest_.size())};
   const DepthRule rule{look_below_.data(), 0.0F};
-  std::uint32_t found[kPointsAtOnce + kSpareIndices];
-  std::uint32_t cells[kPointsAtOnce];
-  std::int32_t heights[kPointsAtOnce];
-  for (std::size_t begin = 0; begin < bins.cell.size(); begin += kPointsAtOnce) {
+  std::uint32_t found[kCutAtOnce + kSpareIndices];
+  std::uint32_t cells[kCutAtOnce];
+  std::int32_t heights[kCutAtOnce];
+  for (std::size_t begin = 0; begin < bins.cell.size(); begin += kCutAtOnce) {
     std::uint32_t* cell = bins.cell.data() + begin;
     const std::int32_t* z = bins.z.data() + begin;
-    const std::size_t count = std::min(kPointsAtOnce, bins.cell.size() - begin);
+    const std::size_t count = std::min(kCutAtOnce, bins.cell.size() - begin);
     const std::size_t in_cut = find_deep({cell, z, count}, rule, found);
     std::size_t kept = 0;
     for (const std::uint32_t i : std::span(found, in_cut)) {
