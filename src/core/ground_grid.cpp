@@ -240,7 +240,6 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, cons
 /// Bins and filters points, some thousand at once, which then are still near at hand for the next
 /// step. One thread adds them to their cells at once, too.
 void GroundGrid::Pipeline::take_points(const SensorPass& pass) {
-  constexpr std::size_t kPointsAtOnce = 4096;
   const CellBand all{0, static_cast<std::uint32_t>(map_.cells())};
   runner_.parallel_for_ranges(
       pass.points.count, kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
