@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/point_kernels.hpp"
 #include "core/window_cells.hpp"
@@ -45,8 +46,9 @@ CellSupport::CellSupport(const ElevationMap& map)
                  in_steps(kDepth_m + rise)};
     }
   }
-  std::stable_sort(neighbours_.begin(), neighbours_.end(),
-                   [](const Neighbour& a, const Neighbour& b) { return a.rise < b.rise; });
+  std::sort(neighbours_.begin(), neighbours_.end(), [](const Neighbour& a, const Neighbour& b) {
+    return std::tie(a.rise, a.offset) < std::tie(b.rise, b.offset);
+  });
   for (auto* cells : {&cells_, &unsupported_, &newly_, &surface_, &cut_})
     cells->reserve(map.cells());
 }
