@@ -1,18 +1,23 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "groundgrid/export.hpp"
 
 namespace groundgrid {
 
+/// How the stages of a scan are computed.
+enum class Method : std::uint8_t { standard, paper, reference };
+
 /// Every value the method depends on. `Config{}` is what works best on the real scans we can
 /// measure; `Config::paper()` follows the paper to the letter. docs/method.md explains each
 /// deviation of the default, groundgrid/parameters.hpp lists unit, range and paper symbol.
 struct GROUNDGRID_EXPORT Config {
   // Method
-  /// The method of the paper to the letter, instead of ours that grew out of it.
-  bool paper_method = false;
+  /// standard: ours, which grew out of the paper's; paper: the paper's to the letter; reference:
+  /// the standard one as plain code, slowly and with the same bits.
+  Method method = Method::standard;
 
   // Map
   /// Side of the square map around the vehicle. (m)

@@ -108,14 +108,14 @@ void bind_config_class(nb::module_& module) {
       "replace",
       [](const Config& self, const nb::kwargs& values) { return with_values(self, values); },
       nb::sig(replace.c_str()), "A copy with other values.");
-  config.def("to_dict", &values_of, nb::sig("def to_dict(self) -> dict[str, float | bool | None]"),
+  config.def("to_dict", &values_of, nb::sig("def to_dict(self) -> dict[str, float | str | None]"),
              "All parameters by name; Config(**values) makes the same configuration of them.");
   config.def("__getstate__", &values_of,
-             nb::sig("def __getstate__(self) -> dict[str, float | bool | None]"));
+             nb::sig("def __getstate__(self) -> dict[str, float | str | None]"));
   config.def(
       "__setstate__",
       [](Config& self, const nb::dict& values) { new (&self) Config(with_values({}, values)); },
-      nb::sig("def __setstate__(self, values: dict[str, float | bool | None]) -> None"));
+      nb::sig("def __setstate__(self, values: dict[str, float | str | None]) -> None"));
   config.def("__repr__", &repr_of_config);
   config.def(
       "__eq__",
@@ -134,7 +134,7 @@ void bind_parameter_class(nb::module_& module) {
           "name", [](const Parameter& self) { return self.name; }, "As in Config.")
       .def_prop_ro(
           "default", [](const Parameter& self) { return value_of(Config{}, self); },
-          nb::sig("def default(self) -> float | bool | None"), "What it is in Config().")
+          nb::sig("def default(self) -> float | str | None"), "What it is in Config().")
       .def_prop_ro(
           "unit", [](const Parameter& self) { return self.unit; }, "'m', 'm²', 'deg', ''.")
       .def_ro("min", &Parameter::min, "Least value allowed.")

@@ -37,9 +37,11 @@ void convert(const Parameter& parameter, nb::handle value, int& number) {
                               .c_str());
 }
 
-void convert(const Parameter& parameter, nb::handle value, bool& on) {
-  if (!PyBool_Check(value.ptr())) reject_value(parameter, value);
-  on = value.is(nb::handle(Py_True));
+void convert(const Parameter& parameter, nb::handle value, Method& method) {
+  if (!PyUnicode_Check(value.ptr())) reject_value(parameter, value);
+  Config config;
+  set_parameter(config, parameter.name, nb::cast<std::string>(value));
+  method = config.method;
 }
 
 const Parameter& parameter_named(std::string_view name) {
@@ -61,6 +63,8 @@ nb::object value_of(const Config& config, const Parameter& parameter) {
         const auto& value = config.*member;
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
           return value ? nb::cast(*value) : nb::none();
+        else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>)
+          return nb::cast(name_of(value));
         else
           return nb::cast(value);
       },
@@ -80,7 +84,7 @@ Config with_values(Config config, const nb::dict& values) {
 
 std::string type_name(const Parameter& parameter) {
   if (std::holds_alternative<int Config::*>(parameter.member)) return "int";
-  if (std::holds_alternative<bool Config::*>(parameter.member)) return "bool";
+  if (std::holds_alternative<Method Config::*>(parameter.member)) return "str";
   return std::holds_alternative<double Config::*>(parameter.member) ? "float" : "float | None";
 }
 

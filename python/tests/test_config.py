@@ -29,9 +29,9 @@ def test_attributes_can_be_set():
     config = Config()
     config.cell_size_m = 0.5
     config.sensor_height_m = np.float32(1.5)
-    config.paper_method = True
+    config.method = "paper"
     config.threads = np.int64(2)
-    assert config == Config(cell_size_m=0.5, sensor_height_m=1.5, paper_method=True, threads=2)
+    assert config == Config(cell_size_m=0.5, sensor_height_m=1.5, method="paper", threads=2)
     config.sensor_height_m = None
     assert config.sensor_height_m is None
 
@@ -50,7 +50,8 @@ def test_attributes_can_be_set():
         ({"threads": 1.5}, TypeError, "threads: expected int, got float"),
         ({"threads": -1}, ValueError, "threads = -1"),
         ({"threads": 2**40}, ValueError, "threads = 1099511627776"),
-        ({"paper_method": 1}, TypeError, "paper_method: expected bool, got int"),
+        ({"method": 1}, TypeError, "method: expected str, got int"),
+        ({"method": "ours"}, ValueError, "method = ours: must be standard, paper or reference"),
         ({"map_extent_m": 2000, "cell_size_m": 0.02}, ValueError, "9 to 4096 cells"),
     ],
 )
@@ -99,8 +100,8 @@ def test_equality_repr_and_hash():
     assert Config() != 3
     assert Config() != None  # noqa: E711
     assert repr(Config()) == "Config()"
-    assert repr(Config(cell_size_m=0.5, paper_method=True)) == (
-        "Config(paper_method=True, cell_size_m=0.5)"
+    assert repr(Config(cell_size_m=0.5, method="paper")) == (
+        "Config(method='paper', cell_size_m=0.5)"
     )
     with pytest.raises(TypeError, match="unhashable"):
         hash(Config())
@@ -108,8 +109,8 @@ def test_equality_repr_and_hash():
 
 def test_reads_parameter_files(tmp_path):
     file = tmp_path / "parameters.toml"
-    file.write_text('cell_size_m = 0.5 # wide\nsensor_height_m = 1.73\npaper_method = true\n')
-    expected = {"cell_size_m": 0.5, "sensor_height_m": 1.73, "paper_method": True}
+    file.write_text('cell_size_m = 0.5 # wide\nsensor_height_m = 1.73\nmethod = "paper"\n')
+    expected = {"cell_size_m": 0.5, "sensor_height_m": 1.73, "method": "paper"}
     assert Config.from_toml(file) == Config(**expected)
     assert Config.from_toml(str(file), preset="paper") == Config.paper().replace(**expected)
 

@@ -17,7 +17,7 @@ import groundgrid
 from groundgrid import Config, GroundGrid, Label
 
 config: Config = Config(cell_size_m=0.5, sensor_height_m=None, threads=2).replace(threads=1)
-grid = GroundGrid(config, paper_method=True)
+grid = GroundGrid(config, method="paper")
 result = grid.process(np.zeros((3, 3), np.float32), np.eye(4))
 labels: npt.NDArray[np.uint8] = result.labels
 heights: npt.NDArray[np.float64] = grid.terrain.height

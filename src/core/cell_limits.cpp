@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.hpp"
 #include "core/offset_kernels.hpp"
 #include "core/point_kernels.hpp"
 #include "core/window_cells.hpp"
@@ -12,10 +13,8 @@ namespace groundgrid {
 namespace {
 
 constexpr float kStep_m = static_cast<float>(CellStatistics::kStep_m);
-// Ground points lie at most this far below the map's height; deeper ones are reflections.
-constexpr double kBandBelow_m = 0.3;
-// One cell counts like at most this many points, so that a dense one does not outvote the rest.
-constexpr float kCellWeight = 20.0F;
+using namespace constants;
+
 constexpr std::size_t kRowsPerTile = 16;
 constexpr std::size_t kSelectedAtOnce = 1024;
 // No point is so far up that its height over this one counts: 32 bits are enough for both.

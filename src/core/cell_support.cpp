@@ -5,24 +5,19 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/constants.hpp"
 #include "core/point_kernels.hpp"
 #include "core/window_cells.hpp"
 
 namespace groundgrid {
 namespace {
 
-// Lowest returns belong to one surface if the slope between them is at most that of a steep
-// embankment (35 degrees), plus what measurement and grass scatter by.
-constexpr double kSteepest = 0.7;
-constexpr double kScatter_m = 0.05;
-// Below that surface, by more than a kerb or a gutter, there is no ground.
-constexpr double kDepth_m = 0.3;
+using namespace constants;
+
 constexpr std::int32_t kEmpty = 1 << 30;
 constexpr float kNowhere = -1e9F;
 constexpr float kEverywhere = 1e9F;
 constexpr std::size_t kCutAtOnce = 2048;
-// Two do on scans as they come, four where every twentieth return lies below the ground.
-constexpr std::uint8_t kMostPasses = 8;
 
 std::int32_t in_steps(double metres) {
   return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
@@ -43,7 +38,7 @@ CellSupport::CellSupport(const ElevationMap& map)
       if (row == 0 && column == 0) continue;
       const double rise = kSteepest * map.cell_size() * std::hypot(column, row);
       *next++ = {column, row, row * size_ + column, in_steps(kScatter_m + rise),
-                 in_steps(kDepth_m + rise)};
+                 in_steps(kSupportDepth_m + rise)};
     }
   }
   std::sort(neighbours_.begin(), neighbours_.end(), [](const Neighbour& a, const Neighbour& b) {
@@ -207,7 +202,7 @@ void CellSupport::find(const Config& config, BinnedPoints& bins, ScanGrid& grid)
   for (const std::uint32_t cell : cells_) lowest_[cell] = grid.statistics[cell].min;
   judge_all(enough);
   // What is left of a cell may support others, and show what lies below it.
-  for (std::uint8_t pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kSupportPasses; ++pass) {
     find_floors();
     if (cut_.empty()) break;
     set_aside(bins, grid);

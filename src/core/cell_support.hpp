@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/elevation_map.hpp"
 #include "core/rasterization.hpp"
 
@@ -26,8 +27,7 @@ class CellSupport {
   [[nodiscard]] const std::vector<std::uint8_t>& is_supported() const { return supported_; }
 
  private:
-  /// Neighbours are at most so many cells away, along each axis.
-  static constexpr int kReach = 2;
+  static constexpr int kReach = constants::kSupportReach;
   static constexpr std::size_t kNeighbours = (2 * kReach + 1) * (2 * kReach + 1) - 1;
   struct Neighbour {
     int column = 0;  ///< Relative to the cell.

@@ -23,7 +23,7 @@ std::optional<double> value_of(const Config& config, const Parameter& parameter)
 
 Config Config::paper() {
   Config config;
-  config.paper_method = true;
+  config.method = Method::paper;
   // Section IV-A, in its order; all of it, so that a change of the default changes nothing here.
   config.cell_size_m = 0.33;
   config.variance_distance_factor = 1e-5;
@@ -50,10 +50,9 @@ void Config::validate() const {
             << parameter.max;
     throw std::invalid_argument(message.str());
   }
-  if (paper_method && max_step_m > 0.0)
+  if (method == Method::paper && max_step_m > 0.0)
     throw std::invalid_argument(
-        "max_step_m: the paper's method knows no steps; leave it at 0, or set paper_method = "
-        "false");
+        "max_step_m: the paper's method knows no steps; leave it at 0, or set method = standard");
   if (map_extent_m / cell_size_m > 4096.0 || map_extent_m < 9.0 * cell_size_m)
     throw std::invalid_argument(
         "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 130 bytes); choose "

@@ -114,7 +114,6 @@ void SumPatches(const ClassRule& rule, CellBlock& block) {
 void JudgeCells(const ClassRule& rule, CellBlock& block) {
   const Floats d;
   const Ints di;
-  const auto one = hn::Set(d, 1.0F);
   const auto listed = static_cast<std::int32_t>(rule.enough_from.size());
   const float none_listed = 0.0F;
   const float* enough_from = listed == 0 ? &none_listed : rule.enough_from.data();
@@ -124,9 +123,8 @@ void JudgeCells(const ClassRule& rule, CellBlock& block) {
     hn::Vec<Floats> points, min_height, variance, own_points, own_variance, unused, unused_too;
     hn::LoadInterleaved4(d, &block.patch[i].points, points, min_height, variance, unused);
     hn::LoadInterleaved4(d, &block.own[i].points, own_points, unused, unused_too, own_variance);
-    const auto per_point = hn::Div(one, points);
     const auto tested = hn::IfThenElse(hn::Ge(own_points, hn::Set(d, rule.own_variance_points)),
-                                       own_variance, hn::Mul(variance, per_point));
+                                       own_variance, hn::Div(variance, points));
     const auto distance_squared = hn::Load(d, block.distance_squared + i);
     const auto count = hn::ConvertTo(di, own_points);
     const auto is_listed = hn::Lt(count, hn::Set(di, listed));
@@ -140,7 +138,7 @@ void JudgeCells(const ClassRule& rule, CellBlock& block) {
     const auto slope_decides =
         hn::And(enough, hn::AndNot(flat, hn::Lt(tested, hn::Add(threshold, by_slope))));
     undecided = hn::Or(undecided, hn::VecFromMask(di, hn::RebindMask(di, slope_decides)));
-    hn::Store(hn::Mul(min_height, per_point), d, block.elevation + i);
+    hn::Store(hn::Div(min_height, points), d, block.elevation + i);
     hn::Store(tested, d, block.variance + i);
     hn::Store(threshold, d, block.threshold + i);
     hn::Store(hn::VecFromMask(di, hn::RebindMask(di, enough)), di, block.observed + i);

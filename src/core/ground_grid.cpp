@@ -17,6 +17,7 @@
 #include "core/paper_method.hpp"
 #include "core/parallel.hpp"
 #include "core/rasterization.hpp"
+#include "core/reference_method.hpp"
 #include "core/segmentation.hpp"
 #include "core/step_edges.hpp"
 
@@ -75,7 +76,7 @@ class GroundGrid::Pipeline {
   [[nodiscard]] TerrainView terrain() const;
   std::span<const float> standard_deviation() {
     if (!map_.started()) return {};
-    if (config_.paper_method)
+    if (config_.method == Method::paper)
       surface_.fit_known(is_paper_ground_, plane_in_window(), config_, map_);
     return surface_.standard_deviation(config_, map_);
   }
@@ -94,7 +95,7 @@ class GroundGrid::Pipeline {
   void take_points(const SensorPass& pass);
   LabelCounts run_stages();
   [[nodiscard]] LocalPlane plane_in_window() const;
-  LabelCounts run_paper();
+  LabelCounts run_page();
 
   Config config_;
   TileRunner runner_;
@@ -145,7 +146,7 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   result.sensor_height_estimated = sensor_height_ && height_estimated_;
   result.map_restarted = place_map(motion.T_map_base_end);
   place_sensors(scans, motion);
-  const LabelCounts counts = config_.paper_method ? run_paper() : run_stages();
+  const LabelCounts counts = config_.method == Method::standard ? run_stages() : run_page();
   result.ground = counts.ground;
   result.obstacle = counts.obstacle;
   result.outlier = counts.outlier;
@@ -278,15 +279,19 @@ LocalPlane GroundGrid::Pipeline::plane_in_window() const {
           ground_plane_.slope_y};
 }
 
-LabelCounts GroundGrid::Pipeline::run_paper() {
+/// The methods that are one page each.
+LabelCounts GroundGrid::Pipeline::run_page() {
   const std::span passes = std::span(passes_).first(sensors_);
   for (const SensorPass& pass : passes)
     runner_.parallel_for_ranges(pass.points.count, kPointsAtOnce,
                                 [&](std::size_t begin, std::size_t end) {
                                   bin_points(pass, {begin, end}, map_, config_, bins_);
                                 });
-  return paper::process({passes, positions_.sensors}, config_, bins_, grid_, is_paper_ground_, map_,
-                        {labels_, height_above_ground_});
+  const paper::Scan scan{passes, positions_.sensors};
+  const paper::Answers answers{labels_, height_above_ground_};
+  if (config_.method == Method::paper)
+    return paper::process(scan, config_, bins_, grid_, is_paper_ground_, map_, answers);
+  return reference::process(scan, plane_in_window(), config_, bins_, grid_, map_, answers);
 }
 
 TerrainView GroundGrid::Pipeline::terrain() const {

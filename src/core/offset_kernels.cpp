@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/constants.hpp"
+
 #undef HWY_TARGET_INCLUDE
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): Highway compiles this file again and again.
 #define HWY_TARGET_INCLUDE "core/offset_kernels.cpp"
@@ -54,8 +56,8 @@ HWY_INLINE void RaiseVector(D d, const float* weights, const float* weighted,
   const hn::Rebind<std::uint8_t, D> bytes;
   const auto occupied = hn::LoadU(bytes, cells.is_occupied);
   if (hn::AllTrue(bytes, hn::Eq(occupied, hn::Zero(bytes)))) return;
-  const auto no_offset = hn::Set(d, 3.0F);
-  const auto own_more = hn::Set(d, 2.0F);
+  const auto no_offset = hn::Set(d, constants::kNoOffsetPoints);
+  const auto own_more = hn::Set(d, constants::kOwnWeight - 1.0F);
   const auto steps = hn::Add(hn::Mul(own_more, hn::LoadU(d, weighted)), SumAlong(d, sum_weighted));
   const auto points = hn::Add(hn::Add(no_offset, hn::Mul(own_more, hn::LoadU(d, weights))),
                               SumAlong(d, sum_weights));

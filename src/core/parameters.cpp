@@ -13,8 +13,9 @@ namespace {
 constexpr double kFar = 1e6;
 
 constexpr std::array kParameters{
-    Parameter{"paper_method", &Config::paper_method, "", 0.0, 1.0, "", "method",
-              "The method of the paper to the letter, instead of ours that grew out of it."},
+    Parameter{"method", &Config::method, "", 0.0, 2.0, "", "method",
+              "standard: ours, which grew out of the paper's; paper: the paper's to the letter; "
+              "reference: the standard one as plain code, slowly and with the same bits."},
     // Map
     Parameter{"map_extent_m", &Config::map_extent_m, "m", 3.0, 2000.0, "", "map",
               "Side of the square map around the vehicle."},
@@ -132,10 +133,10 @@ double number_from(const Parameter& parameter, std::string_view text) {
   return value;
 }
 
-bool switch_from(const Parameter& parameter, std::string_view text) {
-  if (text == "true" || text == "1" || text == "on") return true;
-  if (text == "false" || text == "0" || text == "off") return false;
-  reject(parameter, text, "neither true nor false");
+Method method_from(const Parameter& parameter, std::string_view text) {
+  for (const Method method : {Method::standard, Method::paper, Method::reference})
+    if (text == name_of(method)) return method;
+  reject(parameter, text, "must be standard, paper or reference");
 }
 
 int whole_number_from(const Parameter& parameter, std::string_view text) {
@@ -154,12 +155,24 @@ void assign(Config& config, const Parameter& parameter, std::string_view value) 
   else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
     config.*(*whole) = whole_number_from(parameter, value);
   else
-    config.*std::get<bool Config::*>(parameter.member) = switch_from(parameter, value);
+    config.*std::get<Method Config::*>(parameter.member) = method_from(parameter, value);
 }
 
 }  // namespace
 
 std::span<const Parameter> parameters() { return kParameters; }
+
+std::string_view name_of(Method method) {
+  switch (method) {
+    case Method::standard:
+      return "standard";
+    case Method::paper:
+      return "paper";
+    case Method::reference:
+      return "reference";
+  }
+  return "";
+}
 
 void set_parameter(Config& config, std::string_view name, std::string_view value) {
   const auto parameter = std::find_if(kParameters.begin(), kParameters.end(),

@@ -117,11 +117,16 @@ HWY_INLINE WeightedCell SumTwentyFive(const CellRows& rows) {
 
 /// The same at the border: cells outside the window add nothing.
 WeightedCell SumAtBorder(const ClassRule& rule, int column, int row, int half) {
-  CellSum sum = LoadCell(WeightedCell{});
-  for (int y = std::max(row - half, 0); y <= std::min(row + half, rule.size - 1); ++y)
-    for (int x = std::max(column - half, 0); x <= std::min(column + half, rule.size - 1); ++x)
-      sum = Plus(sum, LoadCell(rule.cells[std::ptrdiff_t{y} * rule.size + x]));
-  return Total(sum);
+  const auto column_sum = [&](int x) HWY_ATTR {
+    CellSum sum = LoadCell(WeightedCell{});
+    if (column + x < 0 || column + x >= rule.size) return sum;
+    for (int y = std::max(row - half, 0); y <= std::min(row + half, rule.size - 1); ++y)
+      sum = Plus(sum, LoadCell(rule.cells[std::ptrdiff_t{y} * rule.size + column + x]));
+    return sum;
+  };
+  if (half == 1) return Total(Plus(Plus(column_sum(-1), column_sum(0)), column_sum(1)));
+  return Total(Plus(Plus(Plus(column_sum(-2), column_sum(0)), Plus(column_sum(-1), column_sum(1))),
+                    column_sum(2)));
 }
 
 HWY_INLINE WeightedCell SumPatch(const ClassRule& rule, std::uint32_t cell, int column, int row,

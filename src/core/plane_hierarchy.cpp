@@ -4,23 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/constants.hpp"
+
 namespace groundgrid {
 namespace {
 
-constexpr int kFinestBlock = 5;  // cells a side
-constexpr int kBranch = 3;       // blocks a side below each block
-
-// How a block's plane may differ from those above it: height per metre of its side, and slope.
-constexpr double kRoughness = 0.08;
-constexpr double kBend = 0.08;
-// And the plane of the whole square from the one expected there.
-constexpr double kTopHeight_m = 0.5;
-constexpr double kTopSlope = 0.1;
-// Scatter of a block's cells around its plane: as measured, and per metre of its side.
-constexpr double kNoise_m = 0.03;
-constexpr double kNoisePerMetre = 0.03;
-// The cells of a block err together: all of them say no more than this many.
-constexpr double kIndependentCells = 8.0;
+using namespace constants;
 
 // More tasks than this bring nothing.
 constexpr int kMostBands = 8;
@@ -243,13 +232,26 @@ float PlaneHierarchy::between_blocks(const Level& level, std::size_t column, std
   return lower + places.share_after[row] * (upper - lower);
 }
 
+/// In the order in which rows are evaluated, so that the bits are the same.
 float PlaneHierarchy::height_at(std::size_t l, std::uint32_t cell) const {
-  const BlockPlanes& planes = levels_[l].planes;
-  const auto size = static_cast<std::size_t>(size_);
-  return between_blocks(
-      levels_[l], cell % size, cell / size, [&](std::size_t block, float x, float y) {
-        return planes.height[block] + planes.slope_x[block] * x + planes.slope_y[block] * y;
-      });
+  const Level& level = levels_[l];
+  const BlockPlanes& planes = level.planes;
+  const CellPlaces& places = level.places;
+  const std::size_t column = cell % static_cast<std::size_t>(size_);
+  const std::size_t row = cell / static_cast<std::size_t>(size_);
+  const auto along_x = [&](std::int32_t block_row, float y) {
+    const std::size_t left = level.row(block_row) + static_cast<std::size_t>(places.before[column]);
+    const std::size_t right = level.row(block_row) + static_cast<std::size_t>(places.after[column]);
+    const float share = places.share_after[column];
+    const float from = planes.height[left] + planes.slope_x[left] * places.from_before[column];
+    const float to = planes.height[right] + planes.slope_x[right] * places.from_after[column];
+    const float slope_y =
+        planes.slope_y[left] + share * (planes.slope_y[right] - planes.slope_y[left]);
+    return from + share * (to - from) + slope_y * y;
+  };
+  const float lower = along_x(places.before[row], places.from_before[row]);
+  const float upper = along_x(places.after[row], places.from_after[row]);
+  return lower + places.share_after[row] * (upper - lower);
 }
 
 void PlaneHierarchy::evaluate_variance(std::size_t l, std::span<float> variance) const {

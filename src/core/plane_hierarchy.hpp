@@ -84,7 +84,7 @@ class PlaneHierarchy {
   /// The surface at the middle of every cell.
   void evaluate(std::size_t level, TileRunner& runner, std::span<float> surface);
 
-  /// The same of one cell, to rounding.
+  /// The same of one cell.
   [[nodiscard]] float height_at(std::size_t level, std::uint32_t cell) const;
 
   /// The variance of that height at each cell, m²: bilinear between those of the planes.

@@ -130,8 +130,8 @@ void ExpectRow(const BlockPlanes& at_y, std::span<const BlockShare> shares,
     planes.slope_x[row + i] = a * at_y.slope_x[own] + b * at_y.slope_x[other];
     planes.slope_y[row + i] = a * at_y.slope_y[own] + b * at_y.slope_y[other];
     planes.variance_height[row + i] =
-        a * (at_y.variance_height[own] + at_y.variance_x[own] * x.away * x.away) +
-        b * (at_y.variance_height[other] + at_y.variance_x[other] * x.away_other * x.away_other) +
+        a * (at_y.variance_height[own] + at_y.variance_x[own] * (x.away * x.away)) +
+        b * (at_y.variance_height[other] + at_y.variance_x[other] * (x.away_other * x.away_other)) +
         scatter.variance_height;
     planes.variance_x[row + i] =
         a * at_y.variance_x[own] + b * at_y.variance_x[other] + scatter.variance_slope;

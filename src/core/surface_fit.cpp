@@ -6,21 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "core/constants.hpp"
 #include "core/marked_cells.hpp"
 
 namespace groundgrid {
 namespace {
 
-constexpr int kPasses = 3;
-// Cells further below the surface than this are reflections: they lose weight too.
-constexpr float kReflection_m = 0.5F;
-// Raised cells belong together where they are at most so far apart, in cells, and so steep.
-constexpr int kPatchReach = 2;
-constexpr float kPatchSlope = 0.4F;
-constexpr float kPatchStep_m = 0.02F;
-// By so much the variance of a height is greater than that of its plane: measured on simulated
-// drives.
-constexpr float kPlaneFactor = 1.2F;
+using namespace constants;
 
 }  // namespace
 
@@ -102,7 +94,8 @@ void SurfaceFit::reject_raised(const LocalPlane& top, const Config& config) {
     reweight(heights_of(row), along, tolerance, count, weights);
   };
   planes_.fit(heights_, weigh, top, level, *runner_);
-  for (int pass = 1; pass < kPasses; ++pass) planes_.fit(heights_, reweigh, top, level, *runner_);
+  for (int pass = 1; pass < kSurfacePasses; ++pass)
+    planes_.fit(heights_, reweigh, top, level, *runner_);
   planes_.for_each_row(level, *runner_, [&](std::size_t row, const SurfaceBetween& along) {
     judge(heights_of(row), along, step, count, standing_.data() + row * count,
           surface_.data() + row * count);

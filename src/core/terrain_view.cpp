@@ -11,10 +11,10 @@ double CellStatistics::mean_m() const {
 }
 
 double CellStatistics::variance_m2() const {
-  const auto n = static_cast<double>(count);
-  const double mean = static_cast<double>(sum) / n;
-  const double variance = static_cast<double>(sum_squares) / n - mean * mean;
-  return (variance < 0.0 ? 0.0 : variance) * kStep_m * kStep_m;
+  const double per_point = 1.0 / static_cast<double>(count);
+  const double mean = static_cast<double>(sum) * per_point;
+  const double variance = static_cast<double>(sum_squares) * per_point - mean * mean;
+  return (variance < 0.0 ? 0.0 : variance) * (kStep_m * kStep_m);
 }
 
 TerrainCell TerrainView::cell(int column, int row) const {

@@ -22,6 +22,8 @@ Json value_of(const Config& config, const Parameter& parameter) {
         const auto& value = config.*member;
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
           return value ? Json(*value) : Json(nullptr);
+        else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>)
+          return name_of(value);
         else
           return value;
       },

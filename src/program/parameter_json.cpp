@@ -17,12 +17,12 @@ nlohmann::ordered_json parameter_json(const Config& config) {
   Json list = Json::array();
   for (const Parameter& parameter : parameters()) {
     const std::string name(parameter.name);
-    const bool is_switch = std::holds_alternative<bool Config::*>(parameter.member);
+    const bool is_name = std::holds_alternative<Method Config::*>(parameter.member);
     list.push_back({{"name", name},
                     {"value", values[name]},
                     {"unit", parameter.unit},
-                    {"min", is_switch ? Json(nullptr) : Json(parameter.min)},
-                    {"max", is_switch ? Json(nullptr) : Json(parameter.max)},
+                    {"min", is_name ? Json(nullptr) : Json(parameter.min)},
+                    {"max", is_name ? Json(nullptr) : Json(parameter.max)},
                     {"optional", is_optional(parameter)},
                     {"symbol", parameter.symbol.empty() ? Json(nullptr) : Json(parameter.symbol)},
                     {"stage", parameter.group},

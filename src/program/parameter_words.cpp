@@ -29,7 +29,7 @@ constexpr std::array kHeadings{
 
 std::string word_of(double value) { return number_word(value); }
 std::string word_of(int value) { return std::to_string(value); }
-std::string word_of(bool value) { return value ? "true" : "false"; }
+std::string word_of(Method value) { return std::string(name_of(value)); }
 std::string word_of(const std::optional<double>& value) {
   return value ? number_word(*value) : "none";
 }
@@ -53,7 +53,8 @@ std::string value_word(const Config& config, const Parameter& parameter) {
 }
 
 std::string range_word(const Parameter& parameter) {
-  if (std::holds_alternative<bool Config::*>(parameter.member)) return "true, false";
+  if (std::holds_alternative<Method Config::*>(parameter.member))
+    return "standard, paper, reference";
   return fmt::format("{} to {}", number_word(parameter.min), number_word(parameter.max));
 }
 

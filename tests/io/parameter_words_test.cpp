@@ -33,8 +33,8 @@ TEST(ParameterWords, SayValuesOfEveryKind) {
   Config config;
   EXPECT_EQ(value_word(config, parameter("cell_size_m")), "0.33");
   EXPECT_EQ(value_word(config, parameter("own_variance_min_points")), "5");
-  EXPECT_EQ(value_word(config, parameter("paper_method")), "false");
-  EXPECT_EQ(value_word(Config::paper(), parameter("paper_method")), "true");
+  EXPECT_EQ(value_word(config, parameter("method")), "standard");
+  EXPECT_EQ(value_word(Config::paper(), parameter("method")), "paper");
   EXPECT_EQ(value_word(config, parameter("sensor_height_m")), "none");
   config.sensor_height_m = 1.73;
   EXPECT_EQ(value_word(config, parameter("sensor_height_m")), "1.73");
@@ -43,7 +43,7 @@ TEST(ParameterWords, SayValuesOfEveryKind) {
 TEST(ParameterWords, SayRanges) {
   EXPECT_EQ(range_word(parameter("cell_size_m")), "0.02 to 10");
   EXPECT_EQ(range_word(parameter("sensor_height_m")), "-10 to 100");
-  EXPECT_EQ(range_word(parameter("paper_method")), "true, false");
+  EXPECT_EQ(range_word(parameter("method")), "standard, paper, reference");
 }
 
 TEST(ParameterWords, HaveAHeadingForEveryStageAndEveryStageOnce) {

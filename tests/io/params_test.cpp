@@ -92,7 +92,7 @@ TEST(Params, ExplainThemselvesInToml) {
                        "\n# Decay of confidence where a scan shows no ground (eq. 8).\n"
                        "# 1 to 1e9; the paper's θ\nconfidence_decay = 5.0\n"));
   EXPECT_TRUE(contains(toml, "\n# m, -10 to 100, or \"none\"\n# sensor_height_m = \"none\"\n"));
-  EXPECT_TRUE(contains(toml, "\npaper_method = false\n"));
+  EXPECT_TRUE(contains(toml, "\nmethod = \"standard\"\n"));
   EXPECT_TRUE(contains(toml, "\nthreads = 1\n"));
 }
 
@@ -104,8 +104,8 @@ TEST(Params, HaveRangesInJson) {
       EXPECT_EQ(parameter["min"], -10.0);
       EXPECT_EQ(parameter["symbol"], nullptr);
     }
-    if (parameter["name"] == "paper_method") {
-      EXPECT_EQ(parameter["value"], false);
+    if (parameter["name"] == "method") {
+      EXPECT_EQ(parameter["value"], "standard");
       EXPECT_EQ(parameter["max"], nullptr);
     }
     if (parameter["name"] == "confidence_decay") {

@@ -31,8 +31,8 @@ TEST(Config, PaperHasTheValuesOfItsParameterSection) {
 
 TEST(Config, PaperHasNoneOfTheDefaultsDeviations) {
   const Config paper = Config::paper();
-  EXPECT_TRUE(paper.paper_method);
-  EXPECT_FALSE(Config{}.paper_method);
+  EXPECT_EQ(paper.method, Method::paper);
+  EXPECT_EQ(Config{}.method, Method::standard);
   EXPECT_EQ(paper.min_range_m, 0.0);  // no near zone
   EXPECT_FALSE(paper.sensor_height_m.has_value());
 }
@@ -41,7 +41,7 @@ TEST(Config, ThePapersMethodKnowsNoSteps) {
   Config config = Config::paper();
   config.max_step_m = 0.1;
   EXPECT_THROW(config.validate(), std::invalid_argument);
-  config.paper_method = false;
+  config.method = Method::standard;
   EXPECT_NO_THROW(config.validate());
 }
 
@@ -70,7 +70,7 @@ std::string complaint_about(const Config& config) {
 
 TEST(Config, ValidateNamesTheFieldThatIsOutOfRangeOrNotANumber) {
   for (const Parameter& parameter : parameters()) {
-    if (std::holds_alternative<bool Config::*>(parameter.member)) continue;
+    if (std::holds_alternative<Method Config::*>(parameter.member)) continue;
     const bool whole = std::holds_alternative<int Config::*>(parameter.member);
     const double inf = std::numeric_limits<double>::infinity();
     const double below = whole ? parameter.min - 1 : std::nextafter(parameter.min, -inf);

@@ -19,8 +19,8 @@ namespace {
 /// Stands for a value of any field of Config in an aggregate initialisation.
 struct AnyNumber {
   template <typename T>
-  requires std::is_arithmetic_v<T>
-  operator T() const {  // NOLINT(google-explicit-constructor)
+  requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) operator T()
+      const {  // NOLINT(google-explicit-constructor)
     return {};
   }
 };
@@ -136,29 +136,29 @@ TEST(SetParameter, SetsFieldsOfEachKind) {
   set_parameter(config, "cell_size_m", "0.25");
   set_parameter(config, "sensor_height_m", "1.73");
   set_parameter(config, "own_variance_min_points", "7");
-  set_parameter(config, "paper_method", "on");
+  set_parameter(config, "method", "paper");
   EXPECT_EQ(config.cell_size_m, 0.25);
   EXPECT_EQ(config.sensor_height_m, 1.73);
   EXPECT_EQ(config.own_variance_min_points, 7);
-  EXPECT_TRUE(config.paper_method);
+  EXPECT_EQ(config.method, Method::paper);
   set_parameter(config, "sensor_height_m", "none");
-  set_parameter(config, "paper_method", "false");
+  set_parameter(config, "method", "standard");
   EXPECT_FALSE(config.sensor_height_m.has_value());
-  EXPECT_FALSE(config.paper_method);
+  EXPECT_EQ(config.method, Method::standard);
 }
 
 TEST(SetParameter, ReachesEveryField) {
   for (const Parameter& parameter : parameters()) {
     Config config;
-    const bool is_switch = std::holds_alternative<bool Config::*>(parameter.member);
+    if (std::holds_alternative<Method Config::*>(parameter.member)) continue;
     const double before = value_of(config, parameter);
     // The cells must fit into the map: those two are only moved a little.
     const bool map_size = parameter.name == "map_extent_m" || parameter.name == "cell_size_m";
-    const double other = map_size                                   ? before * 2
-                         : before == parameter.max                  ? parameter.min
-                         : before < parameter.max - 1 && !is_switch ? before + 1
-                                                                    : parameter.max;
-    set_parameter(config, parameter.name, std::to_string(other).substr(0, is_switch ? 1 : 20));
+    const double other = map_size                     ? before * 2
+                         : before == parameter.max    ? parameter.min
+                         : before < parameter.max - 1 ? before + 1
+                                                      : parameter.max;
+    set_parameter(config, parameter.name, std::to_string(other));
     EXPECT_NEAR(value_of(config, parameter), other, 1e-6) << parameter.name;
   }
 }
@@ -189,8 +189,8 @@ TEST(SetParameter, RejectsWhatIsNoValueAndNamesTheField) {
                                                                   {"threads", "true"},
                                                                   {"sensor_height_m", "None"},
                                                                   {"sensor_height_m", "1000"},
-                                                                  {"paper_method", "yes"},
-                                                                  {"paper_method", "2"}}) {
+                                                                  {"method", "ours"},
+                                                                  {"method", "2"}}) {
     EXPECT_NE(complaint_about(name, value).find(name), std::string::npos)
         << name << " = '" << value << "': " << complaint_about(name, value);
   }
