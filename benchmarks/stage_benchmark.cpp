@@ -50,7 +50,7 @@ class Stages {
   }
 
   void bin() { bin_points(pass_, all_points(), map_, config_, bins_); }
-  void filter() { filter_outliers(pass_, all_points(), map_, config_, bins_); }
+  void filter() { filter_outliers(pass_, all_points(), map_, bins_); }
   void rasterise() {
     clear(grid_);
     add_to_cells(bins_, all_points(), {0, static_cast<std::uint32_t>(map_.cells())}, grid_);
@@ -60,16 +60,11 @@ class Stages {
     bin();
     rasterise();
   }
-  void find_support() {
-    if (config_.min_support_cells > 0) support_.find(config_, bins_, grid_);
-  }
-  void classify() {
-    cells_.classify(grid_, map_, positions_, config_, runner_,
-                    config_.min_support_cells > 0 ? support_.is_supported().data() : nullptr);
-  }
+  void find_support() { support_.find(bins_, grid_); }
+  void classify() { cells_.classify(grid_, map_, support_.is_supported(), runner_); }
   void reject_from_surface() {
-    surface_.reject_raised(grid_, plane(), config_, cells_, map_);
-    surface_.accept_lone(grid_, config_, cells_);
+    surface_.reject_raised(grid_, plane(), cells_, map_);
+    surface_.accept_lone(grid_, cells_);
   }
   void update() {
     update_elevation(grid_, cells_, config_, runner_, map_);
@@ -100,7 +95,6 @@ class Stages {
         map_.window_z(position.z());
     pass_.points = scan.scan().points;
     pass_.trajectory.set_fixed(T_window_sensor);
-    positions_.sensors = {pass_.trajectory.end().origin()};
     bins_.resize(scan.size());
     labels_.resize(scan.size());
     heights_.resize(scan.size());
@@ -133,7 +127,6 @@ class Stages {
   CellLimits limits_;
   BinnedPoints bins_;
   SensorPass pass_;
-  SensorPositions positions_;
   std::vector<Label> labels_;
   std::vector<float> heights_;
 };

@@ -26,7 +26,6 @@ std::int32_t steps(float metres) {
   return static_cast<std::int32_t>(
       std::lrint(std::clamp(metres * BinnedPoints::kStepsPerMetre, -kMost, kMost)));
 }
-std::int32_t steps(double metres) { return steps(static_cast<float>(metres)); }
 
 }  // namespace
 
@@ -103,12 +102,10 @@ void CellLimits::offer_offset(std::size_t place, const Column& column) {
 }
 
 /// Thresholds and offsets of the cells that are not settled.
-void CellLimits::judge_columns(const ScanGrid& grid, const Config& config,
-                               std::span<const MixedCell> mixed) {
-  const std::int32_t tall = steps(config.tall_height_m);
-  const auto tall_threshold = static_cast<float>(config.tall_threshold_m);
+void CellLimits::judge_columns(const ScanGrid& grid, std::span<const MixedCell> mixed) {
+  const std::int32_t tall = steps(kTall_m);
   for (const auto& [cell, place] : mixed) {
-    if (rises(columns_[cell], config)) limits_[cell].threshold = tall_threshold;
+    if (rises(columns_[cell])) limits_[cell].threshold = kTallThreshold_m;
     // Where something stands its feet would pass for ground: such cells take the level of others.
     if (grid.statistics[cell].max - heights_[cell] <= tall) offer_offset(place, columns_[cell]);
   }
@@ -124,9 +121,8 @@ void CellLimits::clear_offsets(const CellBand& band) {
 }
 
 /// Whether something stands in the column, and not only a blade of grass or two.
-bool CellLimits::rises(const Column& column, const Config& config) {
-  return column.rising > 0 &&
-         static_cast<double>(column.rising) > config.tall_min_share * column.near_ground;
+bool CellLimits::rises(const Column& column) {
+  return column.rising > 0 && static_cast<double>(column.rising) > kTallShare * column.near_ground;
 }
 
 /// Raises the levels of a row's occupied cells to the mean of the ground points around.
@@ -142,10 +138,10 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, const ScanGrid& grid
                                   TileRunner& runner) {
   const ColumnRule rule{heights_.data(),
                         {},
-                        steps(kBandBelow_m),
-                        steps(config.level_band_m),
-                        steps(config.tall_height_m),
-                        steps(config.overhang_height_m)};
+                        steps(static_cast<float>(kReflectionDepth_m)),
+                        steps(kLevelBand_m),
+                        steps(kTall_m),
+                        steps(kOverhang_m)};
   const auto threshold = static_cast<float>(config.ground_threshold_m);
   for_each_band(limits_.size(), runner, [&](const CellBand& band, std::size_t number) {
     ColumnRule own = rule;
@@ -153,7 +149,7 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, const ScanGrid& grid
     clear_offsets(band);
     settle_cells(grid, map, own, threshold, mixed_[number]);
     if (!mixed_[number].empty()) count_columns(bins, own);
-    judge_columns(grid, config, mixed_[number]);
+    judge_columns(grid, mixed_[number]);
   });
   collected_ = grid.occupied;
   runner.parallel_for_ranges(static_cast<std::size_t>(size_), kRowsPerTile,

@@ -17,6 +17,9 @@ namespace groundgrid {
 struct alignas(8) CellLimit {
   float level = 0.0F;      ///< Height from which points are measured, metres above the z origin.
   float threshold = 0.0F;  ///< Greatest height of a ground point above the level, metres.
+
+  /// Lets the ground end at this height above the z origin, metres, if it does not before.
+  void lower_to(float height) { threshold = std::min(threshold, height - level); }
 };
 
 /// Chooses level and threshold of every occupied cell for the segmentation (paper III-F).
@@ -26,20 +29,15 @@ class CellLimits {
   CellLimits(const ElevationMap& map, const TileRunner& runner);
 
   /// The default's rule: what stands in the cell's column decides. A column with returns that rise
-  /// from the ground (higher than tall_height_m, but below overhang_height_m, so that crowns and
+  /// from the ground (higher than constants::kTall_m, but below kOverhang_m, so that crowns and
   /// bridges do not count) gets a tight threshold, any other a wide one. The level is the map's
   /// height, which rests on minima, raised to the mean of the ground points around.
   void choose_by_column(const BinnedPoints& bins, const ScanGrid& grid, const ElevationMap& map,
                         const Config& config, TileRunner& runner);
 
-  /// Lets the cell's ground end at this height above the z origin, metres, if it does not before.
-  void lower(std::uint32_t cell, float height) {
-    CellLimit& limit = limits_[cell];
-    limit.threshold = std::min(limit.threshold, height - limit.level);
-  }
-
   /// One a cell of the window; only those of occupied cells are of this scan.
   [[nodiscard]] const std::vector<CellLimit>& limits() const { return limits_; }
+  [[nodiscard]] std::span<CellLimit> limits() { return limits_; }
 
  private:
   /// What the points of one cell say relative to the map's height.
@@ -57,10 +55,10 @@ class CellLimits {
   void settle_cells(const ScanGrid& grid, const ElevationMap& map, const ColumnRule& rule,
                     float threshold, std::vector<MixedCell>& mixed);
   void count_columns(const BinnedPoints& bins, const ColumnRule& rule);
-  void judge_columns(const ScanGrid& grid, const Config& config, std::span<const MixedCell> mixed);
+  void judge_columns(const ScanGrid& grid, std::span<const MixedCell> mixed);
   void clear_offsets(const CellBand& band);
   void offer_offset(std::size_t place, const Column& column);
-  [[nodiscard]] static bool rises(const Column& column, const Config& config);
+  [[nodiscard]] static bool rises(const Column& column);
   void raise_row(const ScanGrid& grid, const ElevationMap& map, std::size_t row);
 
   std::size_t size_;

@@ -38,7 +38,7 @@ CellSupport::CellSupport(const ElevationMap& map)
       if (row == 0 && column == 0) continue;
       const double rise = kSteepest * map.cell_size() * std::hypot(column, row);
       *next++ = {column, row, row * size_ + column, in_steps(kScatter_m + rise),
-                 in_steps(kSupportDepth_m + rise)};
+                 in_steps(kReflectionDepth_m + rise)};
     }
   }
   std::sort(neighbours_.begin(), neighbours_.end(), [](const Neighbour& a, const Neighbour& b) {
@@ -74,10 +74,10 @@ void CellSupport::forget() {
 
 /// Follows the surface from a cell over its neighbours until it has enough cells or ends; returns
 /// whether it is supported, and then so are the cells found.
-bool CellSupport::follow(std::uint32_t seed, std::size_t enough, std::uint8_t visit) {
+bool CellSupport::follow(std::uint32_t seed, std::uint8_t visit) {
   surface_.assign(1, seed);
   visited_[seed] = visit;
-  bool supported = surface_.size() >= enough;
+  bool supported = surface_.size() >= kSupportCells;
   for (std::size_t next = 0; next < surface_.size() && !supported; ++next) {
     const std::uint32_t cell = surface_[next];
     const std::int32_t height = lowest_[cell];
@@ -88,7 +88,7 @@ bool CellSupport::follow(std::uint32_t seed, std::size_t enough, std::uint8_t vi
                            visited_[other] = visit;
                            surface_.push_back(other);
                          }
-                         supported = supported_[other] != 0 || surface_.size() >= enough;
+                         supported = supported_[other] != 0 || surface_.size() >= kSupportCells;
                          return supported;
                        });
   }
@@ -98,7 +98,7 @@ bool CellSupport::follow(std::uint32_t seed, std::size_t enough, std::uint8_t vi
 }
 
 /// Most cells lie beside one that is known to be supported.
-void CellSupport::judge_all(std::size_t enough) {
+void CellSupport::judge_all() {
   unsupported_.clear();
   AscendingRows rows(static_cast<std::size_t>(size_));
   for (const std::uint32_t cell : cells_) {
@@ -111,17 +111,17 @@ void CellSupport::judge_all(std::size_t enough) {
       supported_[cell] = 1;
       return true;
     });
-    if (supported_[cell] == 0 && visited_[cell] == 0) follow(cell, enough, 1);
+    if (supported_[cell] == 0 && visited_[cell] == 0) follow(cell, 1);
     if (supported_[cell] == 0) unsupported_.push_back(cell);
   }
 }
 
 /// The cells that returns were cut from may now be supported, and support others. `unsupported_`
 /// becomes the cells beside those.
-void CellSupport::judge_cut(std::size_t enough, std::uint8_t visit) {
+void CellSupport::judge_cut(std::uint8_t visit) {
   newly_.clear();
   for (const std::uint32_t cell : cut_)
-    if (lowest_[cell] != kEmpty && visited_[cell] != visit && follow(cell, enough, visit))
+    if (lowest_[cell] != kEmpty && visited_[cell] != visit && follow(cell, visit))
       newly_.insert(newly_.end(), surface_.begin(), surface_.end());
   unsupported_.clear();
   for (std::size_t next = 0; next < newly_.size(); ++next) {
@@ -195,18 +195,17 @@ void CellSupport::set_aside(BinnedPoints& bins, ScanGrid& grid) {
   }
 }
 
-void CellSupport::find(const Config& config, BinnedPoints& bins, ScanGrid& grid) {
-  const auto enough = static_cast<std::size_t>(config.min_support_cells);
+void CellSupport::find(BinnedPoints& bins, ScanGrid& grid) {
   forget();
   cells_ = grid.occupied;
   for (const std::uint32_t cell : cells_) lowest_[cell] = grid.statistics[cell].min;
-  judge_all(enough);
+  judge_all();
   // What is left of a cell may support others, and show what lies below it.
   for (int pass = 0; pass < kSupportPasses; ++pass) {
     find_floors();
     if (cut_.empty()) break;
     set_aside(bins, grid);
-    judge_cut(enough, static_cast<std::uint8_t>(pass + 2));
+    judge_cut(static_cast<std::uint8_t>(pass + 2));
   }
   std::erase_if(grid.occupied, [&](std::uint32_t cell) { return grid.is_occupied[cell] == 0; });
 }

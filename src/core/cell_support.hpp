@@ -12,7 +12,7 @@
 namespace groundgrid {
 
 /// Bounds what a few returns can do. A cell is supported if its lowest return and those of the
-/// cells around it form a surface of Config::min_support_cells cells or more. Returns of other
+/// cells around it form a surface of constants::kSupportCells cells or more. Returns of other
 /// cells that lie below the supported surface beside them are set aside before anything is computed
 /// from them, and no unsupported cell is ground. Not in the paper; see docs/method.md.
 class CellSupport {
@@ -21,7 +21,7 @@ class CellSupport {
 
   /// Finds the supported cells of this scan, marks the points that are set aside as outliers and
   /// takes them out of the grid.
-  void find(const Config& config, BinnedPoints& bins, ScanGrid& grid);
+  void find(BinnedPoints& bins, ScanGrid& grid);
 
   /// 1 for each supported cell of the window, in this scan.
   [[nodiscard]] const std::vector<std::uint8_t>& is_supported() const { return supported_; }
@@ -40,11 +40,11 @@ class CellSupport {
   template <typename Visit>
   void for_each_neighbour(std::uint32_t cell, int row, const Visit& visit) const;
   void forget();
-  void judge_all(std::size_t enough);
-  bool follow(std::uint32_t seed, std::size_t enough, std::uint8_t visit);
+  void judge_all();
+  bool follow(std::uint32_t seed, std::uint8_t visit);
   void find_floors();
   void set_aside(BinnedPoints& bins, ScanGrid& grid);
-  void judge_cut(std::size_t enough, std::uint8_t visit);
+  void judge_cut(std::uint8_t visit);
 
   int size_;
   std::array<Neighbour, kNeighbours> neighbours_{};  // the nearest ones first

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 #include "groundgrid/parameters.hpp"
 
@@ -19,25 +20,24 @@ std::optional<double> value_of(const Config& config, const Parameter& parameter)
   return std::nullopt;
 }
 
+/// A value that the chosen method ignores is a mistake of whoever set it.
+void check_method(const Config& config) {
+  if (config.method == Method::paper) return;
+  static const Config defaults;
+  for (const Parameter& parameter : parameters())
+    if (parameter.group == "paper" && value_of(config, parameter) != value_of(defaults, parameter))
+      throw std::invalid_argument(std::string(parameter.name) +
+                                  ": only the paper's method has it; set method = paper, or leave "
+                                  "it at its default");
+}
+
 }  // namespace
 
 Config Config::paper() {
   Config config;
   config.method = Method::paper;
-  // Section IV-A, in its order; all of it, so that a change of the default changes nothing here.
-  config.cell_size_m = 0.33;
-  config.variance_distance_factor = 1e-5;
-  config.min_variance_threshold = 5e-5;
-  config.confidence_decay = 5.0;
-  config.min_point_fraction = 0.25;
-  config.outlier_min_confidence = 1.25;
+  // The rest of section IV-A is in the fields that our method shares or does not have.
   config.ground_threshold_m = 0.3;
-  config.obstacle_threshold_m = 0.1;
-  config.confidence_point_scale = 20.0;
-  config.outlier_tolerance_m = 0.1;
-  config.patch_change_distance_m = 20.0;
-  config.point_angle_deg = 0.4;
-  config.own_variance_min_points = 10;
   return config;
 }
 
@@ -50,6 +50,7 @@ void Config::validate() const {
             << parameter.max;
     throw std::invalid_argument(message.str());
   }
+  check_method(*this);
   if (method == Method::paper && max_step_m > 0.0)
     throw std::invalid_argument(
         "max_step_m: the paper's method knows no steps; leave it at 0, or set method = standard");

@@ -1,18 +1,35 @@
 #pragma once
 
+#include <cstddef>
+
 /// The numbers of the default method that are no parameters, each with its reason. The paper's are
 /// in groundgrid/config.hpp.
 namespace groundgrid::constants {
+
+// Returns this far below the ground are reflections, whatever stage finds them; a gutter or the
+// edge of a kerb is less deep.
+inline constexpr double kReflectionDepth_m = 0.3;
+
+// Outliers (III-A): a ray may dip this far below the map, and only ground seen well and all around
+// hides a point.
+inline constexpr double kRayTolerance_m = 0.1;
+inline constexpr double kRayConfidence = 8.0;  ///< Sum over 5 × 5 cells.
 
 // Support: the lowest returns of two cells belong to one surface if the slope between them is at
 // most that of a steep embankment (35 degrees), plus what measurement and grass scatter by.
 inline constexpr int kSupportReach = 2;  ///< Cells along each axis.
 inline constexpr double kSteepest = 0.7;
 inline constexpr double kScatter_m = 0.05;
-/// Below that surface, by more than a kerb or a gutter, there is no ground.
-inline constexpr double kSupportDepth_m = 0.3;
+/// A surface of fewer cells than this supports none of them: a reflection, a cluster of them, a
+/// car.
+inline constexpr std::size_t kSupportCells = 25;
 /// Two passes do on scans as they come, four where every twentieth return lies below the ground.
 inline constexpr int kSupportPasses = 8;
+
+// Ground cells (III-C): heights on a lawn scatter by some 3 cm.
+inline constexpr float kMaxVariance_m2 = 1e-3F;
+/// From this count on a cell's own variance counts, not that of its patch (the paper's v_np).
+inline constexpr int kOwnVariancePoints = 10;
 
 // Blocks of planes.
 inline constexpr int kFinestBlock = 5;  ///< Cells a side.
@@ -29,20 +46,41 @@ inline constexpr double kNoisePerMetre = 0.03;
 /// The cells of a block err together: all of them say no more than this many.
 inline constexpr double kIndependentCells = 8.0;
 
-// What stands on the surface.
+// What stands on the surface: blocks at least this wide tell, three fits are enough, and cells more
+// than the tolerance above it lose weight in the fit.
+inline constexpr double kSurfaceBlock_m = 4.5;
 inline constexpr int kSurfacePasses = 3;
+inline constexpr float kSurfaceTolerance_m = 0.06F;
+/// Cells this far above the surface are not ground; a kerb is lower.
+inline constexpr float kSurfaceStep_m = 0.2F;
+/// Cells of at least this confidence are remembered as ground.
+inline constexpr float kRemembered = 0.05F;
+/// A cell without ground whose lowest return is less than this above the surface takes its height.
+inline constexpr float kFollow_m = 0.1F;
 /// Cells further below the surface than this are reflections: they lose weight too.
 inline constexpr float kReflection_m = 0.5F;
 // Raised cells belong together if they are at most this far apart, in cells, and this steep.
 inline constexpr int kPatchReach = 2;
 inline constexpr float kPatchSlope = 0.4F;
 inline constexpr float kPatchStep_m = 0.02F;
+// Wider patches are terraces and banks, unless they stand higher than this on average.
+inline constexpr double kTerraceArea_m2 = 5.0;
+inline constexpr float kTerraceHeight_m = 1.0F;
 /// By this factor the variance of a height is greater than that of its plane: measured on simulated
 /// drives.
 inline constexpr float kPlaneFactor = 1.2F;
 
-// Labels: ground points lie at most this far below the map's height; deeper ones are reflections.
-inline constexpr double kBandBelow_m = 0.3;
+// Labels: returns higher than this above the map rise from the ground; if there are none below
+// kOverhang_m, they hang over it.
+inline constexpr float kTall_m = 0.3F;
+inline constexpr float kOverhang_m = 1.0F;
+/// A few blades of grass are no obstacle: there are more such returns than this share of the
+/// ground's.
+inline constexpr double kTallShare = 0.15;
+/// Ground points end at this height if something rises from the ground.
+inline constexpr float kTallThreshold_m = 0.06F;
+/// Points up to this far above the map make the mean that heights are measured from.
+inline constexpr float kLevelBand_m = 0.15F;
 /// One cell counts like at most this many points, so that a dense one does not outvote the rest.
 inline constexpr float kCellWeight = 20.0F;
 /// The cell itself counts this often among the 5 × 5 around it.

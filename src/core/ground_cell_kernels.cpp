@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/constants.hpp"
 #include "core/ground_cells.hpp"
 #include "core/window_cells.hpp"
 
@@ -66,13 +66,10 @@ struct CellBlock {
   std::span<const std::uint32_t> cells;
   HWY_ALIGN std::int32_t column[kMost] = {};
   HWY_ALIGN std::int32_t row[kMost] = {};
-  HWY_ALIGN float distance_squared[kMost] = {};
   HWY_ALIGN WeightedCell own[kMost] = {};
   HWY_ALIGN WeightedCell patch[kMost] = {};
   HWY_ALIGN float elevation[kMost] = {};
   HWY_ALIGN float variance[kMost] = {};
-  HWY_ALIGN float threshold[kMost] = {};
-  HWY_ALIGN std::int32_t observed[kMost] = {};
   HWY_ALIGN std::int32_t smooth[kMost] = {};
   bool any_slope = false;  ///< Whether the slope decides about any of them.
 };
@@ -80,33 +77,10 @@ struct CellBlock {
 using Floats = hn::CappedTag<float, CellBlock::kMost>;
 using Ints = hn::RebindToSigned<Floats>;
 
-/// To the nearest sensor.
-void MeasureDistances(const ClassRule& rule, CellBlock& block) {
-  const Floats d;
-  const Ints di;
-  const auto half = hn::Set(d, 0.5F);
-  const auto cell_size = hn::Set(d, rule.cell_size);
-  for (std::size_t i = 0; i < block.cells.size(); i += hn::Lanes(d)) {
-    const auto metres = [&](const std::int32_t* index) HWY_ATTR {
-      return hn::Mul(hn::Add(hn::ConvertTo(d, hn::Load(di, index + i)), half), cell_size);
-    };
-    const auto x = metres(block.column);
-    const auto y = metres(block.row);
-    auto nearest = hn::Set(d, std::numeric_limits<float>::infinity());
-    for (const Point3f& sensor : rule.sensors) {
-      const auto to_x = hn::Sub(x, hn::Set(d, sensor.x));
-      const auto to_y = hn::Sub(y, hn::Set(d, sensor.y));
-      nearest = hn::Min(nearest, hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y)));
-    }
-    hn::Store(nearest, d, block.distance_squared + i);
-  }
-}
-
 void SumPatches(const ClassRule& rule, CellBlock& block) {
   for (std::size_t i = 0; i < block.cells.size(); ++i) {
-    const int half = block.distance_squared[i] < rule.patch_change_squared ? 1 : 2;
     block.own[i] = rule.cells[block.cells[i]];
-    block.patch[i] = SumPatch(rule, block.cells[i], block.column[i], block.row[i], half);
+    block.patch[i] = SumPatch(rule, block.cells[i], block.column[i], block.row[i]);
   }
 }
 
@@ -114,34 +88,21 @@ void SumPatches(const ClassRule& rule, CellBlock& block) {
 void JudgeCells(const ClassRule& rule, CellBlock& block) {
   const Floats d;
   const Ints di;
-  const auto listed = static_cast<std::int32_t>(rule.enough_from.size());
-  const float none_listed = 0.0F;
-  const float* enough_from = listed == 0 ? &none_listed : rule.enough_from.data();
-  const auto by_slope = hn::Set(d, rule.steepest_squared * variance_per_slope(rule.cell_size));
+  const auto threshold = hn::Set(d, constants::kMaxVariance_m2);
+  const auto on_slopes = hn::Set(d, steepest_threshold(rule.cell_size));
+  const auto own_points_enough = hn::Set(d, static_cast<float>(constants::kOwnVariancePoints));
   auto undecided = hn::Zero(di);
   for (std::size_t i = 0; i < block.cells.size(); i += hn::Lanes(d)) {
     hn::Vec<Floats> points, min_height, variance, own_points, own_variance, unused, unused_too;
     hn::LoadInterleaved4(d, &block.patch[i].points, points, min_height, variance, unused);
     hn::LoadInterleaved4(d, &block.own[i].points, own_points, unused, unused_too, own_variance);
-    const auto tested = hn::IfThenElse(hn::Ge(own_points, hn::Set(d, rule.own_variance_points)),
-                                       own_variance, hn::Div(variance, points));
-    const auto distance_squared = hn::Load(d, block.distance_squared + i);
-    const auto count = hn::ConvertTo(di, own_points);
-    const auto is_listed = hn::Lt(count, hn::Set(di, listed));
-    const auto from = hn::GatherIndex(d, enough_from, hn::IfThenElseZero(is_listed, count));
-    const auto enough =
-        hn::Or(hn::Not(hn::RebindMask(d, is_listed)), hn::Ge(distance_squared, from));
-    const auto threshold =
-        hn::Max(hn::Mul(hn::Set(d, rule.variance_per_metre), hn::Sqrt(distance_squared)),
-                hn::Set(d, rule.least_threshold));
+    const auto tested = hn::IfThenElse(hn::Ge(own_points, own_points_enough), own_variance,
+                                       hn::Div(variance, points));
     const auto flat = hn::Lt(tested, threshold);
-    const auto slope_decides =
-        hn::And(enough, hn::AndNot(flat, hn::Lt(tested, hn::Add(threshold, by_slope))));
+    const auto slope_decides = hn::AndNot(flat, hn::Lt(tested, on_slopes));
     undecided = hn::Or(undecided, hn::VecFromMask(di, hn::RebindMask(di, slope_decides)));
     hn::Store(hn::Div(min_height, points), d, block.elevation + i);
     hn::Store(tested, d, block.variance + i);
-    hn::Store(threshold, d, block.threshold + i);
-    hn::Store(hn::VecFromMask(di, hn::RebindMask(di, enough)), di, block.observed + i);
     hn::Store(hn::VecFromMask(di, hn::RebindMask(di, flat)), di, block.smooth + i);
   }
   block.any_slope = !hn::AllFalse(di, hn::Ne(undecided, hn::Zero(di)));
@@ -149,13 +110,11 @@ void JudgeCells(const ClassRule& rule, CellBlock& block) {
 
 /// A slope makes heights differ within a cell.
 void JudgeSlopes(const ClassRule& rule, CellBlock& block) {
-  const float per_slope = variance_per_slope(rule.cell_size);
   for (std::size_t i = 0; i < block.cells.size(); ++i) {
-    if (block.smooth[i] != 0 || block.observed[i] == 0) continue;
-    if (!(block.variance[i] < block.threshold[i] + rule.steepest_squared * per_slope)) continue;
-    const float slope =
-        std::min(SlopeSquared(rule, block.column[i], block.row[i]), rule.steepest_squared);
-    block.smooth[i] = block.variance[i] < block.threshold[i] + slope * per_slope ? 1 : 0;
+    if (block.smooth[i] != 0 || !(block.variance[i] < steepest_threshold(rule.cell_size))) continue;
+    const float slope_squared = SlopeSquared(rule, block.column[i], block.row[i]);
+    block.smooth[i] =
+        block.variance[i] < variance_threshold_on(slope_squared, rule.cell_size) ? 1 : 0;
   }
 }
 
@@ -171,17 +130,15 @@ void ClassifyCells(std::span<const std::uint32_t> occupied, const ClassRule& rul
       block.row[i] = row;
       block.column[i] = static_cast<std::int32_t>(block.cells[i]) - row * rule.size;
     }
-    MeasureDistances(rule, block);
     SumPatches(rule, block);
     JudgeCells(rule, block);
     if (block.any_slope) JudgeSlopes(rule, block);
     for (std::size_t i = 0; i < block.cells.size(); ++i) {
-      const bool supported = rule.supported == nullptr || rule.supported[block.cells[i]] != 0;
-      const bool smooth = block.observed[i] != 0 && block.smooth[i] != 0;
-      const bool observed = supported && block.observed[i] != 0;
+      const bool supported = rule.supported[block.cells[i]] != 0;
+      const bool smooth = block.smooth[i] != 0;
       const bool ground = supported && smooth;
       answers[first + i] = {
-          block.patch[i].points, block.elevation[i], block.variance[i], observed, ground,
+          block.patch[i].points, block.elevation[i], block.variance[i], supported, ground,
           smooth && !supported};
       is_ground[block.cells[i]] = ground ? 1 : 0;
     }

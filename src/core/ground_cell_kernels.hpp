@@ -17,32 +17,22 @@ struct WeightedCell {
   float own_variance = 0.0F;  ///< m²
 };
 
-/// What the sums over a cell's 3×3 or 5×5 patch say; for every occupied cell.
+/// What the sums over a cell's 3 × 3 patch say; for every occupied cell.
 struct GroundCell {
   float patch_points = 0.0F;     ///< ΣP.
   float patch_elevation = 0.0F;  ///< Eq. 3, metres above the z origin.
   float variance = 0.0F;         ///< The variance that was tested, m².
-  bool observed = false;         ///< Enough points to be judged at all.
+  bool observed = false;         ///< Supported, or accepted as a lone cell.
   bool ground = false;           ///< Classified as ground.
   bool lone = false;             ///< As smooth as ground, but not supported.
 };
 
-/// All that decides the class of a cell.
+/// The window that the class of a cell depends on.
 struct ClassRule {
   const WeightedCell* cells = nullptr;  ///< Of the window, row by row.
   int size = 0;
   float cell_size = 0.0F;
-  /// 1 for each cell of the window that may be ground; null if all may.
-  const std::uint8_t* supported = nullptr;
-  std::span<const Point3f> sensors{};
-  float patch_change_squared = 0.0F;  ///< m²; patches are 5×5 from there on.
-  float own_variance_points = 0.0F;   ///< From so many points on the own variance counts.
-  float variance_per_metre = 0.0F;    ///< Eq. 1.
-  float least_threshold = 0.0F;
-  float steepest_squared = 0.0F;  ///< Square of the steepest slope that is taken out.
-  /// Squares of the distances from which on 0, 1, … points are enough (eq. 2); as many points as
-  /// there are entries always are.
-  std::span<const float> enough_from{};
+  const std::uint8_t* supported = nullptr;  ///< 1 for each cell that may be ground.
 };
 
 /// Weighted moments of occupied cells, written to their places in the window.

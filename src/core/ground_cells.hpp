@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/elevation_map.hpp"
 #include "core/ground_cell_kernels.hpp"
 #include "core/parallel.hpp"
@@ -25,19 +27,23 @@ inline float slope_along(float before, float own, float after, float cell_size) 
 /// w that rises by s · w have a variance of (s · w)² / 12.
 inline float variance_per_slope(float cell_size) { return cell_size * cell_size / 12.0F; }
 
-/// The planar positions of the sensors in the window frame; distances are to the nearest one.
-struct SensorPositions {
-  std::vector<Point3f> sensors;
-};
+/// The variance in m² below which a cell is ground, on ground of this slope squared.
+inline float variance_threshold_on(float slope_squared, float cell_size) {
+  constexpr auto kSteepest = static_cast<float>(constants::kSteepest);
+  return constants::kMaxVariance_m2 +
+         std::min(slope_squared, kSteepest * kSteepest) * variance_per_slope(cell_size);
+}
+inline float steepest_threshold(float cell_size) { return variance_threshold_on(1e9F, cell_size); }
 
-/// Classification of ground cells, paper III-C. The scratch and the answer, reused every scan.
+/// Classification of ground cells in place of paper III-C: patches of 3 × 3 cells, one threshold
+/// for their variance at any distance. The scratch and the answer, reused every scan.
 class GroundCells {
  public:
   explicit GroundCells(std::size_t cells);
 
-  /// `supported` is null, or 1 for each cell of the window that may be ground; see CellSupport.
-  void classify(const ScanGrid& grid, const ElevationMap& map, const SensorPositions& sensors,
-                const Config& config, TileRunner& runner, const std::uint8_t* supported = nullptr);
+  /// `supported` is 1 for each cell of the window that may be ground; see CellSupport.
+  void classify(const ScanGrid& grid, const ElevationMap& map,
+                const std::vector<std::uint8_t>& supported, TileRunner& runner);
 
   /// Element i belongs to ScanGrid::occupied[i].
   [[nodiscard]] const std::vector<GroundCell>& cells() const { return cells_; }
@@ -59,12 +65,8 @@ class GroundCells {
 
  private:
   void summarise(const ScanGrid& grid, TileRunner& runner);
-  void list_enough(const Config& config);
 
   std::vector<WeightedCell> weighted_;
-  std::vector<float> enough_from_;  // see ClassRule; for the fraction and angle it was made for
-  double enough_fraction_ = -1.0;
-  double enough_angle_deg_ = 0.0;
   std::vector<std::uint32_t> summarised_;
   std::vector<GroundCell> cells_;
   std::vector<std::uint8_t> is_ground_;

@@ -77,8 +77,8 @@ class GroundGrid::Pipeline {
   std::span<const float> standard_deviation() {
     if (!map_.started()) return {};
     if (config_.method == Method::paper)
-      surface_.fit_known(is_paper_ground_, plane_in_window(), config_, map_);
-    return surface_.standard_deviation(config_, map_);
+      surface_.fit_known(is_paper_ground_, plane_in_window(), map_);
+    return surface_.standard_deviation(map_);
   }
   [[nodiscard]] const Config& config() const { return config_; }
 
@@ -111,7 +111,7 @@ class GroundGrid::Pipeline {
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
   std::size_t sensors_ = 0;         // how many of them this scan has
-  SensorPositions positions_;
+  std::vector<Point3f> positions_;  // of the sensors, in the window
   std::vector<Label> label_buffer_;
   std::vector<float> height_buffer_;
   std::span<Label> labels_;
@@ -134,7 +134,7 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   for (const SensorScan& scan : scans) points += scan.points.count;
   choose_output(points, output);
   bins_.resize(points);
-  positions_.sensors.resize(scans.size());
+  positions_.resize(scans.size());
   if (passes_.size() < scans.size()) passes_.resize(scans.size());
   sensors_ = scans.size();
 
@@ -233,7 +233,7 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, cons
                                  scans[i].time_end);
     else
       pass.trajectory.set_fixed(T_window_end * T_base_sensor);
-    positions_.sensors[i] = pass.trajectory.end().origin();
+    positions_[i] = pass.trajectory.end().origin();
     first += scans[i].points.count;
   }
 }
@@ -245,7 +245,7 @@ void GroundGrid::Pipeline::take_points(const SensorPass& pass) {
   runner_.parallel_for_ranges(
       pass.points.count, kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
         bin_points(pass, {begin, end}, map_, config_, bins_);
-        filter_outliers(pass, {begin, end}, map_, config_, bins_);
+        filter_outliers(pass, {begin, end}, map_, bins_);
         if (runner_.threads() == 1)
           add_to_cells(bins_, {pass.first + begin, pass.first + end}, all, grid_);
       });
@@ -259,18 +259,17 @@ LabelCounts GroundGrid::Pipeline::run_stages() {
       add_to_cells(bins_, {0, bins_.cell.size()}, band, grid_);
     });
   list_occupied(grid_);
-  const bool need_support = config_.min_support_cells > 0;
-  if (need_support) support_.find(config_, bins_, grid_);
-  ground_cells_.classify(grid_, map_, positions_, config_, runner_,
-                         need_support ? support_.is_supported().data() : nullptr);
+  support_.find(bins_, grid_);
+  ground_cells_.classify(grid_, map_, support_.is_supported(), runner_);
   const LocalPlane ground = plane_in_window();
-  surface_.reject_raised(grid_, ground, config_, ground_cells_, map_);
-  surface_.accept_lone(grid_, config_, ground_cells_);
+  surface_.reject_raised(grid_, ground, ground_cells_, map_);
+  surface_.accept_lone(grid_, ground_cells_);
   update_elevation(grid_, ground_cells_, config_, runner_, map_);
   map_.mark_observed();
   surface_.fill(grid_, ground, config_, ground_cells_, map_);
   limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
-  if (config_.max_step_m > 0.0) step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_);
+  if (config_.max_step_m > 0.0)
+    step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_.limits());
   return segment(bins_, limits_, map_, config_, runner_, labels_, height_above_ground_);
 }
 
@@ -287,7 +286,7 @@ LabelCounts GroundGrid::Pipeline::run_page() {
                                 [&](std::size_t begin, std::size_t end) {
                                   bin_points(pass, {begin, end}, map_, config_, bins_);
                                 });
-  const paper::Scan scan{passes, positions_.sensors};
+  const paper::Scan scan{passes, positions_};
   const paper::Answers answers{labels_, height_above_ground_};
   if (config_.method == Method::paper)
     return paper::process(scan, config_, bins_, grid_, is_paper_ground_, map_, answers);

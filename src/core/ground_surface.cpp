@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/constants.hpp"
 #include "core/surface_kernels.hpp"
 
 namespace groundgrid {
@@ -19,27 +20,25 @@ GroundSurface::GroundSurface(const ElevationMap& map, TileRunner& runner)
     : runner_(&runner), fit_(map.size(), map.cell_size(), runner), deviation_(map.cells()) {}
 
 void GroundSurface::collect(const ScanGrid& grid, const GroundCells& ground_cells,
-                            const ElevationMap& map, const Config& config) {
+                            const ElevationMap& map) {
   const std::span<float> heights = fit_.heights();
   const auto take_elevations = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       heights[grid.occupied[i]] = ground_cells.cells()[i].patch_elevation;
   };
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, take_elevations);
-  const auto min_confidence = static_cast<float>(config.surface_min_confidence);
   const auto take_known = [&](std::size_t begin, std::size_t end) {
     const auto part = [&](auto& cells) { return std::span(cells).subspan(begin, end - begin); };
     collect_known(part(ground_cells.is_ground()), part(map.height()), part(map.confidence()),
-                  min_confidence, part(heights));
+                  constants::kRemembered, part(heights));
   };
   runner_->parallel_for_ranges(heights.size(), kWindowCellsPerTile, take_known);
 }
 
 void GroundSurface::reject_raised(const ScanGrid& grid, const LocalPlane& ground,
-                                  const Config& config, GroundCells& ground_cells,
-                                  ElevationMap& map) {
-  collect(grid, ground_cells, map, config);
-  fit_.reject_raised(ground, config);
+                                  GroundCells& ground_cells, ElevationMap& map) {
+  collect(grid, ground_cells, map);
+  fit_.reject_raised(ground);
   for (const std::uint32_t cell : fit_.raised()) map.confidence()[cell] = 0.0F;
   const auto withdraw = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -49,12 +48,11 @@ void GroundSurface::reject_raised(const ScanGrid& grid, const LocalPlane& ground
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, withdraw);
 }
 
-void GroundSurface::accept_lone(const ScanGrid& grid, const Config& config,
-                                GroundCells& ground_cells) {
+void GroundSurface::accept_lone(const ScanGrid& grid, GroundCells& ground_cells) {
   const auto accept = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const GroundCell& seen = ground_cells.cells()[i];
-      if (seen.lone && fit_.accept(grid.occupied[i], seen.patch_elevation, config))
+      if (seen.lone && fit_.accept(grid.occupied[i], seen.patch_elevation))
         ground_cells.accept(i, grid.occupied[i]);
     }
   };
@@ -73,36 +71,33 @@ void GroundSurface::fill(const ScanGrid& grid, const LocalPlane& ground, const C
                 map.height().data() + first, map.confidence().data() + first, size},
                decay);
   });
-  follow_lowest(grid, config, is_ground, map);
+  follow_lowest(grid, is_ground, map);
 }
 
 /// The ground is nowhere above the lowest return.
-void GroundSurface::follow_lowest(const ScanGrid& grid, const Config& config,
-                                  const std::vector<std::uint8_t>& is_ground, ElevationMap& map) {
-  const auto follow = static_cast<float>(config.surface_follow_m);
+void GroundSurface::follow_lowest(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
+                                  ElevationMap& map) {
   float* heights = map.height().data();
   const auto follow_cells = [&](std::size_t begin, std::size_t end) {
     for (const std::uint32_t cell : std::span(grid.occupied).subspan(begin, end - begin)) {
       if (is_ground[cell] != 0 || fit_.is_ground(cell)) continue;
       const float lowest = lowest_m(grid.statistics[cell]);
-      if (lowest < heights[cell] + follow) heights[cell] = lowest;
+      if (lowest < heights[cell] + constants::kFollow_m) heights[cell] = lowest;
     }
   };
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, follow_cells);
 }
 
 void GroundSurface::fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
-                              const Config& config, const ElevationMap& map) {
+                              const ElevationMap& map) {
   std::copy(map.height().begin(), map.height().end(), fit_.heights().begin());
-  collect_known(is_ground, map.height(), map.confidence(),
-                static_cast<float>(config.surface_min_confidence), fit_.heights());
+  collect_known(is_ground, map.height(), map.confidence(), constants::kRemembered, fit_.heights());
   fit_.accept_all();
   fit_.fit(map.height(), ground);
 }
 
-std::span<const float> GroundSurface::standard_deviation(const Config& config,
-                                                         const ElevationMap& map) {
-  fit_.standard_deviation(map.height(), config, deviation_);
+std::span<const float> GroundSurface::standard_deviation(const ElevationMap& map) {
+  fit_.standard_deviation(map.height(), deviation_);
   return deviation_;
 }
 

@@ -22,13 +22,13 @@ class GroundSurface {
   GroundSurface(const ElevationMap& map, TileRunner& runner);
 
   /// Takes the class from ground cells, and the confidence from remembered ones, that stand on the
-  /// surface and are no plateau. `ground` is the plane that the vehicle stands on, its height
+  /// surface and are no terrace. `ground` is the plane that the vehicle stands on, its height
   /// measured in the window.
-  void reject_raised(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
-                     GroundCells& ground_cells, ElevationMap& map);
+  void reject_raised(const ScanGrid& grid, const LocalPlane& ground, GroundCells& ground_cells,
+                     ElevationMap& map);
 
   /// Makes lone cells ground that lie on the surface of all others.
-  void accept_lone(const ScanGrid& grid, const Config& config, GroundCells& ground_cells);
+  void accept_lone(const ScanGrid& grid, GroundCells& ground_cells);
 
   /// Gives every cell that is neither ground in this scan nor remembered the height of a finer
   /// surface through those that are, and lets confidence decay where there is no ground.
@@ -38,18 +38,17 @@ class GroundSurface {
   /// For maps that fill() did not fill: fits the surface to the cells that are ground in this scan
   /// or remembered.
   void fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
-                 const Config& config, const ElevationMap& map);
+                 const ElevationMap& map);
 
   /// Standard deviation of each cell's height in the map as it stands after fill() or fit_known(),
   /// metres.
-  std::span<const float> standard_deviation(const Config& config, const ElevationMap& map);
+  std::span<const float> standard_deviation(const ElevationMap& map);
 
  private:
-  void collect(const ScanGrid& grid, const GroundCells& ground_cells, const ElevationMap& map,
-               const Config& config);
+  void collect(const ScanGrid& grid, const GroundCells& ground_cells, const ElevationMap& map);
 
-  void follow_lowest(const ScanGrid& grid, const Config& config,
-                     const std::vector<std::uint8_t>& is_ground, ElevationMap& map);
+  void follow_lowest(const ScanGrid& grid, const std::vector<std::uint8_t>& is_ground,
+                     ElevationMap& map);
 
   TileRunner* runner_;
   SurfaceFit fit_;

@@ -48,7 +48,7 @@ float confidence_around(const ElevationMap& map, int column, int row) {
 }  // namespace
 
 bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
-                       const Config& config) {
+                       const RayRule& rule) {
   const WindowCells cells(map);
   if (!cells.contains(sensor) || !cells.contains(point)) return true;
   AxisWalk x(cells, sensor.x, point.x);
@@ -62,9 +62,8 @@ bool has_line_of_sight(const ElevationMap& map, const Point3f& sensor, const Poi
     const auto surface =
         static_cast<double>(map.height()[static_cast<std::size_t>(y.cell * map.size() + x.cell)]);
     // The confidence comes last: few rays ever dip below the surface.
-    if (surface - std::min(entry_z, exit_z) > config.outlier_tolerance_m &&
-        static_cast<double>(confidence_around(map, x.cell, y.cell)) >=
-            config.outlier_min_confidence)
+    if (surface - std::min(entry_z, exit_z) > rule.tolerance_m &&
+        static_cast<double>(confidence_around(map, x.cell, y.cell)) >= rule.min_confidence)
       return false;
     entry_z = exit_z;
     if (x.next <= y.next)

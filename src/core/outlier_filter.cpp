@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/constants.hpp"
 #include "core/line_of_sight.hpp"
 #include "core/point_kernels.hpp"
 
@@ -14,9 +15,9 @@ constexpr std::size_t kFilteredAtOnce = 2048;
 }  // namespace
 
 void filter_outliers(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
-                     const Config& config, BinnedPoints& bins) {
+                     BinnedPoints& bins) {
   if (map.blank()) return;
-  const DepthRule rule{map.height().data(), static_cast<float>(config.outlier_min_depth_m)};
+  const DepthRule rule{map.height().data(), static_cast<float>(constants::kReflectionDepth_m)};
   std::uint32_t deep[kFilteredAtOnce + kSpareIndices];
   for (std::size_t begin = range.begin; begin < range.end; begin += kFilteredAtOnce) {
     const std::size_t count = std::min(kFilteredAtOnce, range.end - begin);
@@ -27,7 +28,8 @@ void filter_outliers(const SensorPass& pass, const PointRange& range, const Elev
       const std::size_t i = begin + deep[k];
       const PointTransform T_window_sensor = pass.trajectory.at(pass.points, i);
       const Point3f point = T_window_sensor.apply(load_point(pass.points, i));
-      if (!has_line_of_sight(map, T_window_sensor.origin(), point, config))
+      if (!has_line_of_sight(map, T_window_sensor.origin(), point,
+                             {constants::kRayTolerance_m, constants::kRayConfidence}))
         cells[deep[k]] |= BinnedPoints::kOutlier;
     }
   }

@@ -8,6 +8,6 @@ namespace groundgrid {
 /// Marks points of one sensor that it cannot have seen with BinnedPoints::kOutlier (paper III-A).
 /// The map is the one known before this scan.
 void filter_outliers(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
-                     const Config& config, BinnedPoints& bins);
+                     BinnedPoints& bins);
 
 }  // namespace groundgrid

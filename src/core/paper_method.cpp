@@ -18,13 +18,14 @@ namespace groundgrid::paper {
 void filter_outliers(const Scan& scan, const Config& config, const ElevationMap& map,
                      BinnedPoints& bins) {
   if (map.blank()) return;
+  const RayRule rule{config.outlier_tolerance_m, config.outlier_min_confidence};
   for (const SensorPass& sensor : scan.sensors) {
     for (std::size_t i = 0; i < sensor.points.count; ++i) {
       std::uint32_t& cell = bins.cell[sensor.first + i];
       if (cell == BinnedPoints::kNoCell) continue;
       const PointTransform T_window_sensor = sensor.trajectory.at(sensor.points, i);
       const Point3f point = T_window_sensor.apply(load_point(sensor.points, i));
-      if (!has_line_of_sight(map, T_window_sensor.origin(), point, config))
+      if (!has_line_of_sight(map, T_window_sensor.origin(), point, rule))
         cell |= BinnedPoints::kOutlier;
     }
   }

@@ -13,6 +13,7 @@
 #include "core/equations.hpp"
 #include "core/ground_cells.hpp"
 #include "core/line_of_sight.hpp"
+#include "core/step_edges.hpp"
 #include "core/surface_kernels.hpp"
 
 namespace groundgrid::reference {
@@ -51,19 +52,18 @@ void for_each_around(const Window& window, std::uint32_t cell, int reach, const 
 // --- Outliers and statistics (III-A, III-B) ------------------------------------------------------
 
 /// III-A, but only for points well below the map: a point at the map's height needs no ray.
-void filter_deep_outliers(const Scan& scan, const Config& config, const ElevationMap& map,
-                          BinnedPoints& bins) {
+void filter_deep_outliers(const Scan& scan, const ElevationMap& map, BinnedPoints& bins) {
   if (map.blank()) return;
-  const auto min_depth = static_cast<float>(config.outlier_min_depth_m);
   for (const SensorPass& sensor : scan.sensors) {
     for (std::size_t i = 0; i < sensor.points.count; ++i) {
       std::uint32_t& cell = bins.cell[sensor.first + i];
       if (cell == BinnedPoints::kNoCell) continue;
       const float z = static_cast<float>(bins.z[sensor.first + i]) * kStep_m;
-      if (!(map.height()[cell] - z >= min_depth)) continue;
+      if (!(map.height()[cell] - z >= static_cast<float>(kReflectionDepth_m))) continue;
       const PointTransform T_window_sensor = sensor.trajectory.at(sensor.points, i);
       const Point3f point = T_window_sensor.apply(load_point(sensor.points, i));
-      if (!has_line_of_sight(map, T_window_sensor.origin(), point, config))
+      if (!has_line_of_sight(map, T_window_sensor.origin(), point,
+                             {kRayTolerance_m, kRayConfidence}))
         cell |= BinnedPoints::kOutlier;
     }
   }
@@ -75,11 +75,9 @@ std::int32_t in_steps(double metres) {
   return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
 }
 
-/// 1 for each cell whose lowest return forms a surface with those of at least `enough` cells,
-/// itself included: cells near each other belong to one surface if the slope between them is not
-/// too steep.
-PerCell<std::uint8_t> find_supported(const ScanGrid& grid, const Window& window,
-                                     std::size_t enough) {
+/// 1 for each cell whose lowest return forms a surface with those of enough cells around it: cells
+/// near each other belong to one surface if the slope between them is not too steep.
+PerCell<std::uint8_t> find_supported(const ScanGrid& grid, const Window& window) {
   PerCell<std::uint8_t> supported(window.cells());
   PerCell<std::uint8_t> visited(window.cells());
   for (const std::uint32_t seed : grid.occupied) {
@@ -96,7 +94,7 @@ PerCell<std::uint8_t> find_supported(const ScanGrid& grid, const Window& window,
         surface.push_back(other);
       });
     }
-    if (surface.size() < enough) continue;
+    if (surface.size() < kSupportCells) continue;
     for (const std::uint32_t cell : surface) supported[cell] = 1;
   }
   return supported;
@@ -111,7 +109,7 @@ bool set_aside(const ScanGrid& grid, const PerCell<std::uint8_t>& supported, con
     if (supported[cell] != 0) continue;
     for_each_around(window, cell, kSupportReach, [&](std::uint32_t other, double apart) {
       if (supported[other] == 0) return;
-      const double depth = kSupportDepth_m + kSteepest * window.cell_size * apart;
+      const double depth = kReflectionDepth_m + kSteepest * window.cell_size * apart;
       floor[cell] = std::max(floor[cell], grid.statistics[other].min - in_steps(depth));
     });
   }
@@ -126,15 +124,13 @@ bool set_aside(const ScanGrid& grid, const PerCell<std::uint8_t>& supported, con
 }
 
 /// What is left of a cell may be supported, support others, and show what lies below it.
-PerCell<std::uint8_t> rasterize_supported(const Config& config, const Window& window,
-                                          BinnedPoints& bins, ScanGrid& grid) {
+PerCell<std::uint8_t> rasterize_supported(const Window& window, BinnedPoints& bins,
+                                          ScanGrid& grid) {
   paper::rasterize(bins, grid);
-  if (config.min_support_cells == 0) return PerCell<std::uint8_t>(window.cells(), 1);
-  const auto enough = static_cast<std::size_t>(config.min_support_cells);
-  PerCell<std::uint8_t> supported = find_supported(grid, window, enough);
+  PerCell<std::uint8_t> supported = find_supported(grid, window);
   for (int pass = 0; pass < kSupportPasses && set_aside(grid, supported, window, bins); ++pass) {
     paper::rasterize(bins, grid);
-    supported = find_supported(grid, window, enough);
+    supported = find_supported(grid, window);
   }
   return supported;
 }
@@ -152,12 +148,13 @@ struct Patch {
   }
 };
 
-Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row, int half) {
+/// Of 3 × 3 cells.
+Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row) {
   const auto column_sum = [&](int x) {
     Patch sum;
-    for (int y = row - half; y <= row + half; ++y) {
-      if (!window.contains(column + x, y)) continue;
-      const CellStatistics& cell = grid.statistics[window.cell(column + x, y)];
+    for (int y = row - 1; y <= row + 1; ++y) {
+      if (!window.contains(x, y)) continue;
+      const CellStatistics& cell = grid.statistics[window.cell(x, y)];
       if (cell.count == 0) continue;
       const auto points = static_cast<float>(cell.count);
       sum = sum +
@@ -165,65 +162,42 @@ Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row,
     }
     return sum;
   };
-  if (half == 1) return (column_sum(-1) + column_sum(0)) + column_sum(1);
-  return ((column_sum(-2) + column_sum(0)) + (column_sum(-1) + column_sum(1))) + column_sum(2);
+  return (column_sum(column - 1) + column_sum(column)) + column_sum(column + 1);
 }
 
-/// Planar, to the nearest sensor.
-float distance_to_sensor(const Scan& scan, const Window& window, int column, int row) {
-  const auto cell_size = static_cast<float>(window.cell_size);
-  float nearest_squared = std::numeric_limits<float>::infinity();
-  for (const Point3f& sensor : scan.positions) {
-    const float x = (static_cast<float>(column) + 0.5F) * cell_size - sensor.x;
-    const float y = (static_cast<float>(row) + 0.5F) * cell_size - sensor.y;
-    nearest_squared = std::min(nearest_squared, x * x + y * y);
-  }
-  return std::sqrt(nearest_squared);
-}
-
-/// What the slope of the ground adds to the variance of a cell's heights, m².
-float slope_variance(const ScanGrid& grid, const Window& window, int column, int row,
-                     const Config& config) {
-  const auto cell_size = static_cast<float>(window.cell_size);
+/// From the lowest returns of the cells beside a cell.
+float slope_squared(const ScanGrid& grid, const Window& window, int column, int row) {
   const auto along = [&](int x, int y) {
     if (!window.contains(column - x, row - y) || !window.contains(column + x, row + y)) return 0.0F;
     const CellStatistics& before = grid.statistics[window.cell(column - x, row - y)];
     const CellStatistics& after = grid.statistics[window.cell(column + x, row + y)];
     if (before.count == 0 || after.count == 0) return 0.0F;
     return slope_along(lowest_m(before), lowest_m(grid.statistics[window.cell(column, row)]),
-                       lowest_m(after), cell_size);
+                       lowest_m(after), static_cast<float>(window.cell_size));
   };
-  const float along_x = along(1, 0);
-  const float along_y = along(0, 1);
-  const auto steepest = static_cast<float>(config.max_cell_slope);
-  return std::min(along_x * along_x + along_y * along_y, steepest * steepest) *
-         variance_per_slope(cell_size);
+  return along(1, 0) * along(1, 0) + along(0, 1) * along(0, 1);
 }
 
-/// III-C; but a slope is no roughness, and only supported cells are ground.
-GroundCell classify_cell(const Scan& scan, const ScanGrid& grid, const Window& window,
-                         std::uint32_t index, bool supported, const Config& config) {
+/// III-C with one threshold at any distance, and any number of points; a slope is no roughness, and
+/// only supported cells are ground.
+GroundCell classify_cell(const ScanGrid& grid, const Window& window, std::uint32_t index,
+                         bool supported) {
   const int column = window.column(index);
   const int row = window.row(index);
   const CellStatistics& cell = grid.statistics[index];
-  const auto distance = static_cast<double>(distance_to_sensor(scan, window, column, row));
-  const Patch patch =
-      sum_patch(grid, window, column, row, distance < config.patch_change_distance_m ? 1 : 2);
-  const bool observed = cell.count >= config.min_point_fraction * expected_points(distance, config);
-  const bool own = cell.count >= static_cast<std::uint32_t>(config.own_variance_min_points);
+  const Patch patch = sum_patch(grid, window, column, row);
+  const bool own = cell.count >= static_cast<std::uint32_t>(kOwnVariancePoints);
   const float variance =
       own ? static_cast<float>(cell.variance_m2()) : patch.variance / patch.points;
-  const auto threshold = static_cast<float>(variance_threshold(distance, config));
-  const bool smooth =
-      observed && (variance < threshold ||
-                   variance < threshold + slope_variance(grid, window, column, row, config));
+  const float threshold = variance_threshold_on(slope_squared(grid, window, column, row),
+                                                static_cast<float>(window.cell_size));
   GroundCell result;
   result.patch_points = patch.points;
   result.patch_elevation = ground_elevation(patch.lowest, patch.points);
   result.variance = variance;
-  result.observed = supported && observed;
-  result.ground = supported && smooth;
-  result.lone = smooth && !supported;
+  result.observed = supported;
+  result.ground = supported && variance < threshold;
+  result.lone = !supported && variance < threshold;
   return result;
 }
 
@@ -498,38 +472,35 @@ class Surface {
 
 /// What is known of each cell: kUnknownHeight if nothing is.
 PerCell<float> known_heights(const ScanGrid& grid, const std::vector<GroundCell>& cells,
-                             const Config& config, const ElevationMap& map) {
+                             const ElevationMap& map) {
   PerCell<float> heights(map.cells(), kUnknownHeight);
   for (std::size_t cell = 0; cell < map.cells(); ++cell)
-    if (map.confidence()[cell] >= static_cast<float>(config.surface_min_confidence))
-      heights[cell] = map.height()[cell];
+    if (map.confidence()[cell] >= kRemembered) heights[cell] = map.height()[cell];
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (cells[i].ground) heights[grid.occupied[i]] = cells[i].patch_elevation;
   return heights;
 }
 
 /// Less weight for cells that the surface does not go through.
-float weight_of(float height, float surface, const Config& config) {
+float weight_of(float height, float surface) {
   const float off = height - surface;
-  const float tolerance =
-      off > 0.0F ? static_cast<float>(config.surface_tolerance_m) : kReflection_m;
+  const float tolerance = off > 0.0F ? kSurfaceTolerance_m : kReflection_m;
   const float ratio = tolerance / std::max(std::abs(off), tolerance);
   return ratio * ratio;
 }
 
 /// The wide surface through the known cells, fitted again and again with less weight for those
 /// above it.
-Surface fit_surface(const Window& window, const PerCell<float>& heights, const LocalPlane& ground,
-                    const Config& config) {
+Surface fit_surface(const Window& window, const PerCell<float>& heights, const LocalPlane& ground) {
   PerCell<float> weights(window.cells());
   for (std::size_t cell = 0; cell < window.cells(); ++cell)
     weights[cell] = heights[cell] == kUnknownHeight ? 0.0F : 1.0F;
-  Surface surface(window, heights, weights, ground, config.surface_block_m);
+  Surface surface(window, heights, weights, ground, kSurfaceBlock_m);
   for (int pass = 1; pass < kSurfacePasses; ++pass) {
     for (std::uint32_t cell = 0; cell < window.cells(); ++cell)
       if (heights[cell] != kUnknownHeight)
-        weights[cell] = weight_of(heights[cell], surface.at(cell), config);
-    surface = Surface(window, heights, weights, ground, config.surface_block_m);
+        weights[cell] = weight_of(heights[cell], surface.at(cell));
+    surface = Surface(window, heights, weights, ground, kSurfaceBlock_m);
   }
   return surface;
 }
@@ -537,14 +508,14 @@ Surface fit_surface(const Window& window, const PerCell<float>& heights, const L
 /// 1 for each known cell that stands on the surface. A wide patch of them not far above it is
 /// ground all the same: a terrace, a bank, a garden behind its wall.
 PerCell<std::uint8_t> find_raised(const Window& window, const PerCell<float>& heights,
-                                  const Surface& surface, const Config& config) {
+                                  const Surface& surface) {
   PerCell<std::uint8_t> raised(window.cells());
-  const auto step = static_cast<float>(config.surface_step_m);
   for (std::uint32_t cell = 0; cell < window.cells(); ++cell)
     raised[cell] =
-        heights[cell] != kUnknownHeight && heights[cell] > surface.at(cell) + step ? 1 : 0;
+        heights[cell] != kUnknownHeight && heights[cell] > surface.at(cell) + kSurfaceStep_m ? 1
+                                                                                             : 0;
   const auto wide =
-      static_cast<std::size_t>(config.plateau_area_m2 / (window.cell_size * window.cell_size));
+      static_cast<std::size_t>(kTerraceArea_m2 / (window.cell_size * window.cell_size));
   PerCell<std::uint8_t> judged(window.cells());
   for (std::uint32_t seed = 0; seed < window.cells(); ++seed) {
     if (raised[seed] == 0 || judged[seed] != 0) continue;
@@ -563,8 +534,7 @@ PerCell<std::uint8_t> find_raised(const Window& window, const PerCell<float>& he
         patch.push_back(other);
       });
     }
-    const bool low =
-        above < static_cast<float>(config.plateau_height_m) * static_cast<float>(patch.size());
+    const bool low = above < kTerraceHeight_m * static_cast<float>(patch.size());
     if (patch.size() > wide && low)
       for (const std::uint32_t cell : patch) raised[cell] = 0;
   }
@@ -574,11 +544,11 @@ PerCell<std::uint8_t> find_raised(const Window& window, const PerCell<float>& he
 /// Takes the class from what stands on the surface, gives it to lone cells that lie on it, and says
 /// which cells hold the surface up: 1 for those.
 PerCell<std::uint8_t> compare_with_surface(const ScanGrid& grid, const LocalPlane& ground,
-                                           const Config& config, const Window& window,
-                                           std::vector<GroundCell>& cells, ElevationMap& map) {
-  const PerCell<float> heights = known_heights(grid, cells, config, map);
-  const Surface surface = fit_surface(window, heights, ground, config);
-  const PerCell<std::uint8_t> raised = find_raised(window, heights, surface, config);
+                                           const Window& window, std::vector<GroundCell>& cells,
+                                           ElevationMap& map) {
+  const PerCell<float> heights = known_heights(grid, cells, map);
+  const Surface surface = fit_surface(window, heights, ground);
+  const PerCell<std::uint8_t> raised = find_raised(window, heights, surface);
   PerCell<std::uint8_t> on_surface(window.cells());
   for (std::size_t cell = 0; cell < window.cells(); ++cell) {
     on_surface[cell] = heights[cell] != kUnknownHeight && raised[cell] == 0 ? 1 : 0;
@@ -589,7 +559,7 @@ PerCell<std::uint8_t> compare_with_surface(const ScanGrid& grid, const LocalPlan
     if (raised[cell] != 0) cells[i].ground = false;
     if (!cells[i].lone) continue;
     const float above = cells[i].patch_elevation - surface.at(cell);
-    if (above > static_cast<float>(config.surface_step_m) || above < -kReflection_m) continue;
+    if (above > kSurfaceStep_m || above < -kReflection_m) continue;
     cells[i].ground = cells[i].observed = true;
     on_surface[cell] = 1;
   }
@@ -626,7 +596,6 @@ void fill(const ScanGrid& grid, const std::vector<GroundCell>& cells,
   const PerCell<float> weights(on_surface.begin(), on_surface.end());
   const Surface surface(window, map.height(), weights, ground, 0.0);
   const auto theta = static_cast<float>(config.confidence_decay);
-  const auto follow = static_cast<float>(config.surface_follow_m);
   for (std::uint32_t cell = 0; cell < window.cells(); ++cell) {
     if (is_ground[cell] != 0) continue;
     map.confidence()[cell] = decayed_confidence(map.confidence()[cell], theta);
@@ -635,7 +604,7 @@ void fill(const ScanGrid& grid, const std::vector<GroundCell>& cells,
     height = surface.at(cell);
     if (grid.is_occupied[cell] == 0) continue;
     const float lowest = lowest_m(grid.statistics[cell]);
-    if (lowest < height + follow) height = lowest;
+    if (lowest < height + kFollow_m) height = lowest;
   }
 }
 
@@ -653,12 +622,11 @@ std::int32_t limited_steps(float metres) {
       std::lrint(std::clamp(metres * BinnedPoints::kStepsPerMetre, -1e9F, 1e9F)));
 }
 
-PerCell<Column> count_columns(const BinnedPoints& bins, const ElevationMap& map,
-                              const Config& config) {
-  const std::int32_t below = limited_steps(static_cast<float>(kBandBelow_m));
-  const std::int32_t above = limited_steps(static_cast<float>(config.level_band_m));
-  const std::int32_t tall = limited_steps(static_cast<float>(config.tall_height_m));
-  const std::int32_t overhang = limited_steps(static_cast<float>(config.overhang_height_m));
+PerCell<Column> count_columns(const BinnedPoints& bins, const ElevationMap& map) {
+  const std::int32_t below = limited_steps(static_cast<float>(kReflectionDepth_m));
+  const std::int32_t above = limited_steps(kLevelBand_m);
+  const std::int32_t tall = limited_steps(kTall_m);
+  const std::int32_t overhang = limited_steps(kOverhang_m);
   PerCell<Column> columns(map.cells());
   for (std::size_t i = 0; i < bins.cell.size(); ++i) {
     const std::uint32_t cell = bins.cell[i];
@@ -680,17 +648,17 @@ PerCell<Column> count_columns(const BinnedPoints& bins, const ElevationMap& map,
 PerCell<CellLimit> choose_limits(const BinnedPoints& bins, const ScanGrid& grid,
                                  const ElevationMap& map, const Config& config,
                                  const Window& window) {
-  const PerCell<Column> columns = count_columns(bins, map, config);
-  const std::int32_t tall = limited_steps(static_cast<float>(config.tall_height_m));
+  const PerCell<Column> columns = count_columns(bins, map);
+  const std::int32_t tall = limited_steps(kTall_m);
   PerCell<CellLimit> limits(window.cells());
   PerCell<float> weights(window.cells());
   PerCell<float> weighted(window.cells());
   for (const std::uint32_t cell : grid.occupied) {
     const Column& column = columns[cell];
-    const bool rises = column.rising > 0 && static_cast<double>(column.rising) >
-                                                config.tall_min_share * column.near_ground;
+    const bool rises =
+        column.rising > 0 && static_cast<double>(column.rising) > kTallShare * column.near_ground;
     limits[cell].threshold =
-        static_cast<float>(rises ? config.tall_threshold_m : config.ground_threshold_m);
+        rises ? kTallThreshold_m : static_cast<float>(config.ground_threshold_m);
     // Where something stands its feet would pass for ground: such cells take the level of others.
     const std::int64_t height = limited_steps(map.height()[cell]);
     if (grid.statistics[cell].max - height > tall) continue;
@@ -738,7 +706,7 @@ LabelCounts label_points(const BinnedPoints& bins, const PerCell<CellLimit>& lim
         aside ? static_cast<float>(config.ground_threshold_m) : limits[cell].threshold;
     const float height = static_cast<float>(bins.z[i]) * kStep_m - level;
     answers.height_above_ground[i] = height;
-    if (aside && static_cast<double>(height) <= -config.outlier_min_depth_m) {
+    if (aside && static_cast<double>(height) <= -kReflectionDepth_m) {
       answers.labels[i] = Label::outlier;
       ++counts.outlier;
     } else if (height <= threshold) {
@@ -757,17 +725,20 @@ LabelCounts label_points(const BinnedPoints& bins, const PerCell<CellLimit>& lim
 LabelCounts process(const Scan& scan, const LocalPlane& ground, const Config& config,
                     BinnedPoints& bins, ScanGrid& grid, ElevationMap& map, const Answers& answers) {
   const Window window{map.size(), map.cell_size()};
-  filter_deep_outliers(scan, config, map, bins);
-  const PerCell<std::uint8_t> supported = rasterize_supported(config, window, bins, grid);
+  filter_deep_outliers(scan, map, bins);
+  const PerCell<std::uint8_t> supported = rasterize_supported(window, bins, grid);
   std::vector<GroundCell> cells;
   for (const std::uint32_t cell : grid.occupied)
-    cells.push_back(classify_cell(scan, grid, window, cell, supported[cell] != 0, config));
-  const PerCell<std::uint8_t> on_surface =
-      compare_with_surface(grid, ground, config, window, cells, map);
+    cells.push_back(classify_cell(grid, window, cell, supported[cell] != 0));
+  const PerCell<std::uint8_t> on_surface = compare_with_surface(grid, ground, window, cells, map);
   update_elevation(grid, cells, config, map);
   map.mark_observed();
   fill(grid, cells, on_surface, ground, config, window, map);
-  const PerCell<CellLimit> limits = choose_limits(bins, grid, map, config, window);
+  PerCell<CellLimit> limits = choose_limits(bins, grid, map, config, window);
+  if (config.max_step_m > 0.0) {
+    TileRunner one_thread(1);
+    StepEdges(map).lower_limits(bins, grid, config, one_thread, limits);
+  }
   return label_points(bins, limits, map, config, answers);
 }
 

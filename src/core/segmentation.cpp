@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/constants.hpp"
+
 namespace groundgrid {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr auto kHeightStep_m = static_cast<float>(CellStatistics::kStep_m);
 /// A point that had no part in the terrain: an outlier if it lies deep below it.
 Label label_set_aside(float height_above_ground, const Config& config) {
   const auto height = static_cast<double>(height_above_ground);
-  if (height <= -config.outlier_min_depth_m) return Label::outlier;
+  if (height <= -constants::kReflectionDepth_m) return Label::outlier;
   return height <= config.ground_threshold_m ? Label::ground : Label::obstacle;
 }
 

@@ -27,7 +27,7 @@ constexpr float kAlikeShare = 0.5F;
 }  // namespace
 
 void StepEdges::collect(const BinnedPoints& bins, const ScanGrid& grid, TileRunner& runner,
-                        const CellLimits& limits) {
+                        std::span<const CellLimit> limits) {
   constexpr auto kStep_m = static_cast<float>(CellStatistics::kStep_m);
   const auto cells = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
   moments_.resize(cells);
@@ -40,9 +40,8 @@ void StepEdges::collect(const BinnedPoints& bins, const ScanGrid& grid, TileRunn
     steps_[cell] = {};
   }
   collected_ = grid.occupied;
-  const CellLimit* limit_of = limits.limits().data();
   for_each_binned_point(bins, cells, runner, [&](std::uint32_t cell, std::int32_t z) {
-    const CellLimit limit = limit_of[cell];
+    const CellLimit limit = limits[cell];
     if (static_cast<float>(z) * kStep_m - limit.level > limit.threshold) return;
     Moments& moments = moments_[cell];
     moments.sum += z;
@@ -152,7 +151,7 @@ bool StepEdges::goes_on(std::uint32_t cell, float max_step) const {
 }
 
 void StepEdges::lower_limits(const BinnedPoints& bins, const ScanGrid& grid, const Config& config,
-                             TileRunner& runner, CellLimits& limits) {
+                             TileRunner& runner, std::span<CellLimit> limits) {
   collect(bins, grid, runner, limits);
   const auto find_steps = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) steps_[collected_[i]] = highest_step(collected_[i]);
@@ -161,7 +160,7 @@ void StepEdges::lower_limits(const BinnedPoints& bins, const ScanGrid& grid, con
   const auto max_step = static_cast<float>(config.max_step_m);
   for (const std::uint32_t cell : collected_)
     if (steps_[cell].height > max_step && goes_on(cell, max_step))
-      limits.lower(cell, steps_[cell].low + 0.5F * max_step);
+      limits[cell].lower_to(steps_[cell].low + 0.5F * max_step);
 }
 
 }  // namespace groundgrid

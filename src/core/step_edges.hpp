@@ -23,7 +23,7 @@ class StepEdges {
   /// Lowers the limits of cells at a step higher than max_step_m: more than half of that above the
   /// lower side of the step their points are obstacles. What is ground, the limits say so far.
   void lower_limits(const BinnedPoints& bins, const ScanGrid& grid, const Config& config,
-                    TileRunner& runner, CellLimits& limits);
+                    TileRunner& runner, std::span<CellLimit> limits);
 
  private:
   /// Heights of the ground points of a cell, in steps of 0.1 mm.
@@ -57,7 +57,7 @@ class StepEdges {
   };
 
   void collect(const BinnedPoints& bins, const ScanGrid& grid, TileRunner& runner,
-               const CellLimits& limits);
+               std::span<const CellLimit> limits);
   [[nodiscard]] Level level_at(int column, int row) const;
   [[nodiscard]] Profile profile_along(int column, int row, Direction along) const;
   [[nodiscard]] Step step_along(int column, int row, Direction along) const;

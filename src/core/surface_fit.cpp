@@ -64,26 +64,25 @@ void SurfaceFit::follow_raised(std::uint32_t seed) {
 
 /// A wide patch of ground cells not far above the surface is ground: a terrace, a bank, a garden
 /// behind its wall. Walls, hedges and car roofs are narrower.
-void SurfaceFit::keep_plateaus(const Config& config) {
-  const auto cells = static_cast<std::size_t>(
-      config.plateau_area_m2 / (static_cast<double>(cell_size_) * static_cast<double>(cell_size_)));
-  const auto highest = static_cast<float>(config.plateau_height_m);
+void SurfaceFit::keep_terraces(double terrace_m2) {
+  const auto wide = static_cast<std::size_t>(
+      terrace_m2 / (static_cast<double>(cell_size_) * static_cast<double>(cell_size_)));
   for (const std::uint32_t seed : raised_) {
     if (standing_[seed] != Standing::raised) continue;
     follow_raised(seed);
     float sum = 0.0F;
     for (const std::uint32_t cell : patch_) sum += heights_[cell] - surface_[cell];
-    const bool plateau = patch_.size() > cells && sum < highest * static_cast<float>(patch_.size());
-    if (!plateau) continue;
+    const auto cells = static_cast<float>(patch_.size());
+    const bool low = sum < kTerraceHeight_m * cells;
+    if (patch_.size() <= wide || !low) continue;
     for (const std::uint32_t cell : patch_) standing_[cell] = Standing::on_surface;
   }
 }
 
-void SurfaceFit::reject_raised(const LocalPlane& top, const Config& config) {
-  const std::size_t level = planes_.level_of(config.surface_block_m);
+void SurfaceFit::reject_raised(const LocalPlane& top, double terrace_m2) {
+  const std::size_t level = planes_.level_of(kSurfaceBlock_m);
   const auto count = static_cast<std::size_t>(size_);
-  const HeightTolerance tolerance{static_cast<float>(config.surface_tolerance_m), kReflection_m};
-  const auto step = static_cast<float>(config.surface_step_m);
+  constexpr HeightTolerance tolerance{kSurfaceTolerance_m, kReflection_m};
   const auto heights_of = [&](std::size_t row) { return heights_.data() + row * count; };
   using RowCursor = PlaneHierarchy::RowCursor;
   const auto weigh = [&](std::size_t row, const RowCursor&, float* weights) {
@@ -97,18 +96,18 @@ void SurfaceFit::reject_raised(const LocalPlane& top, const Config& config) {
   for (int pass = 1; pass < kSurfacePasses; ++pass)
     planes_.fit(heights_, reweigh, top, level, *runner_);
   planes_.for_each_row(level, *runner_, [&](std::size_t row, const SurfaceBetween& along) {
-    judge(heights_of(row), along, step, count, standing_.data() + row * count,
+    judge(heights_of(row), along, kSurfaceStep_m, count, standing_.data() + row * count,
           surface_.data() + row * count);
   });
   list_raised();
-  keep_plateaus(config);
+  keep_terraces(terrace_m2);
   std::erase_if(raised_, [&](std::uint32_t cell) { return !is_raised(cell); });
 }
 
-bool SurfaceFit::accept(std::uint32_t cell, float height, const Config& config) {
-  const float surface = planes_.height_at(planes_.level_of(config.surface_block_m), cell);
+bool SurfaceFit::accept(std::uint32_t cell, float height) {
+  const float surface = planes_.height_at(planes_.level_of(kSurfaceBlock_m), cell);
   const float above = height - surface;
-  if (above > static_cast<float>(config.surface_step_m) || above < -kReflection_m) return false;
+  if (above > kSurfaceStep_m || above < -kReflection_m) return false;
   standing_[cell] = Standing::on_surface;
   return true;
 }
@@ -121,11 +120,10 @@ void SurfaceFit::fit(std::span<const float> heights, const LocalPlane& top) {
   planes_.fit(heights, weigh, top, 0, *runner_);
 }
 
-void SurfaceFit::standard_deviation(std::span<const float> heights, const Config& config,
-                                    std::span<float> deviation) {
+void SurfaceFit::standard_deviation(std::span<const float> heights, std::span<float> deviation) {
   planes_.evaluate_variance(0, deviation);
   planes_.evaluate(0, *runner_, surface_);
-  planes_.evaluate(planes_.level_of(config.surface_block_m), *runner_, heights_);
+  planes_.evaluate(planes_.level_of(kSurfaceBlock_m), *runner_, heights_);
   for (std::size_t cell = 0; cell < deviation.size(); ++cell) {
     const float off = heights[cell] - surface_[cell];
     float variance = kPlaneFactor * deviation[cell] + off * off;

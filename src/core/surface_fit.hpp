@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "core/constants.hpp"
 #include "core/parallel.hpp"
 #include "core/plane_hierarchy.hpp"
 #include "core/surface_kernels.hpp"
-#include "groundgrid/config.hpp"
 
 namespace groundgrid {
 
@@ -28,9 +28,9 @@ class SurfaceFit {
   void accept_all();
 
   /// Fits planes again and again with less weight for the cells above them, then takes out those
-  /// that still stand Config::surface_step_m above and are no plateau. `top` is the plane that is
-  /// expected at the middle of the square.
-  void reject_raised(const LocalPlane& top, const Config& config);
+  /// that still stand constants::kSurfaceStep_m above, but for terraces: patches wider than
+  /// `terrace_m2`. `top` is the plane that is expected at the middle of the square.
+  void reject_raised(const LocalPlane& top, double terrace_m2 = constants::kTerraceArea_m2);
 
   /// Whether a cell has a height and was not taken out.
   [[nodiscard]] bool is_ground(std::uint32_t cell) const {
@@ -38,7 +38,7 @@ class SurfaceFit {
   }
   /// After reject_raised(): takes a cell that had no part in it for ground if this height of it
   /// lies on the surface; returns whether it does.
-  bool accept(std::uint32_t cell, float height, const Config& config);
+  bool accept(std::uint32_t cell, float height);
   /// Whether a cell has a height and was taken out.
   [[nodiscard]] bool is_raised(std::uint32_t cell) const {
     return standing_[cell] == Standing::judged;
@@ -59,12 +59,11 @@ class SurfaceFit {
 
   /// Standard deviation of the true height of the ground around these heights, metres, one a cell,
   /// after fit() of the same heights.
-  void standard_deviation(std::span<const float> heights, const Config& config,
-                          std::span<float> deviation);
+  void standard_deviation(std::span<const float> heights, std::span<float> deviation);
 
  private:
   void list_raised();
-  void keep_plateaus(const Config& config);
+  void keep_terraces(double terrace_m2);
   void follow_raised(std::uint32_t seed);
 
   TileRunner* runner_;

@@ -13,7 +13,7 @@ constexpr double kContext_m = 20.0;
 // levels of them, are then the same ones in windows side by side, and leave no seam.
 constexpr std::int64_t kSharedBlock = 135;
 // Over a drive more of what stands about is seen from above: a terrace has to be this wide.
-constexpr double kPlateauArea_m2 = 10.0;
+constexpr double kDriveTerraceArea_m2 = 10.0;
 
 /// The plane through heights of cells, least squares, from the middle of the square that they are
 /// in; level where they do not span one.
@@ -47,7 +47,6 @@ std::int64_t shared_middle(std::int64_t first, std::int64_t end) {
 
 TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, double cell_size_m)
     : cell_size_m_(cell_size_m), completes_(options.has_value()) {
-  config_.plateau_area_m2 = kPlateauArea_m2;
   if (!options) return;
   reach_ = std::llround(options->reach_m / cell_size_m);
   fill_ = options->fill_m / cell_size_m;
@@ -175,7 +174,7 @@ void TerrainSurface::fit(HeightWindow& window) {
   });
   const LocalPlane top = plane_through(known_, heights_, side_, cell_size_m_);
   if (completes_)
-    planes_->reject_raised(top, config_);
+    planes_->reject_raised(top, kDriveTerraceArea_m2);
   else
     planes_->accept_all();
   planes_->fit(heights_, top);
@@ -186,7 +185,7 @@ void TerrainSurface::fit(HeightWindow& window) {
     heights_[cell] = surface_[cell];
     window.heights[own] = near_[cell] != 0 ? heights_[cell] + *base : std::nanf("");
   });
-  planes_->standard_deviation(heights_, config_, deviations_);
+  planes_->standard_deviation(heights_, deviations_);
   for_each_cell([&](std::size_t own, std::uint32_t cell) {
     if (!std::isnan(window.heights[own])) window.deviations[own] = deviations_[cell];
   });

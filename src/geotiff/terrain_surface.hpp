@@ -9,7 +9,6 @@
 #include "core/surface_fit.hpp"
 #include "geotiff/cell_range.hpp"
 #include "geotiff/surface_options.hpp"
-#include "groundgrid/config.hpp"
 
 namespace groundgrid::geotiff {
 
@@ -68,7 +67,6 @@ class TerrainSurface {
                                     window.cells.first_column);
   }
 
-  Config config_;  // how the method itself fits surfaces
   double cell_size_m_;
   bool completes_;
   std::vector<Neighbour> neighbours_;

@@ -18,12 +18,9 @@ constexpr std::array kHeadings{
     Stage{"method", "Method"},
     Stage{"map", "Map"},
     Stage{"vehicle", "Vehicle and sensor"},
-    Stage{"outlier_filter", "Outlier filter (III-A)"},
-    Stage{"ground_cells", "Ground cells (III-C)"},
-    Stage{"surface", "Ground surface (not in the paper)"},
-    Stage{"ground_elevation", "Elevation and confidence (III-D)"},
-    Stage{"interpolation", "Interpolation (III-E)"},
-    Stage{"segmentation", "Segmentation (III-F)"},
+    Stage{"labels", "Labels (III-F)"},
+    Stage{"confidence", "Confidence of the map (III-D, III-E)"},
+    Stage{"paper", "Of the paper's method alone"},
     Stage{"execution", "Execution"},
 };
 

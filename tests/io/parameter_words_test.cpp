@@ -32,7 +32,7 @@ TEST(ParameterWords, WriteNumbersShortAndWithoutLoss) {
 TEST(ParameterWords, SayValuesOfEveryKind) {
   Config config;
   EXPECT_EQ(value_word(config, parameter("cell_size_m")), "0.33");
-  EXPECT_EQ(value_word(config, parameter("own_variance_min_points")), "5");
+  EXPECT_EQ(value_word(config, parameter("own_variance_min_points")), "10");
   EXPECT_EQ(value_word(config, parameter("method")), "standard");
   EXPECT_EQ(value_word(Config::paper(), parameter("method")), "paper");
   EXPECT_EQ(value_word(config, parameter("sensor_height_m")), "none");

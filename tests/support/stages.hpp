@@ -13,13 +13,10 @@
 
 namespace groundgrid::testing {
 
-/// The paper's values, and nothing that our method adds to them, on a map of `cells` × `cells`
+/// The paper's values on a map of `cells` × `cells`
 /// cells of one metre; `cells` is odd.
 inline Config metre_grid(int cells) {
   Config config = Config::paper();
-  config.outlier_min_depth_m = -1e6;
-  config.min_support_cells = 0;
-  config.max_cell_slope = 0.0;
   config.cell_size_m = 1.0;
   config.map_extent_m = cells - 1;
   return config;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/stages.hpp"
 
 namespace groundgrid {
@@ -17,15 +19,11 @@ class CellLimitsByColumn : public ::testing::Test {
  protected:
   CellLimitsByColumn() : config_(metre_grid(21)), map_(flat_map(config_)), points_(map_) {
     config_.ground_threshold_m = 0.2;
-    config_.tall_threshold_m = 0.06;
-    config_.tall_height_m = 0.3;
-    config_.overhang_height_m = 1.0;
-    config_.level_band_m = 0.15;
   }
 
   CellLimit limit(int column, int row) {
     limits_.choose_by_column(points_.bins(), points_.grid(), map_, config_, runner_);
-    return limits_.limits()[cell_index(map_, column, row)];
+    return std::as_const(limits_).limits()[cell_index(map_, column, row)];
   }
 
   Config config_;
@@ -64,7 +62,7 @@ TEST_F(CellLimitsByColumn, TheScanBeforeIsForgotten) {
   next.add(11, 10, {0.0});
   TileRunner runner(1);
   limits_.choose_by_column(next.bins(), next.grid(), map_, config_, runner);
-  EXPECT_NEAR(limits_.limits()[cell_index(map_, 11, 10)].level, 0.0F, 1e-6F);
+  EXPECT_NEAR(std::as_const(limits_).limits()[cell_index(map_, 11, 10)].level, 0.0F, 1e-6F);
 }
 
 }  // namespace

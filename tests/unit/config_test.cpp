@@ -12,6 +12,15 @@
 namespace groundgrid {
 namespace {
 
+void set_number(Config& config, const Parameter& parameter, double value) {
+  if (const auto* number = std::get_if<double Config::*>(&parameter.member))
+    config.*(*number) = value;
+  else if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
+    config.*(*optional) = value;
+  else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
+    config.*(*whole) = static_cast<int>(value);
+}
+
 TEST(Config, PaperHasTheValuesOfItsParameterSection) {
   const Config paper = Config::paper();               // section IV-A
   EXPECT_EQ(paper.cell_size_m, 0.33);                 // R
@@ -45,18 +54,20 @@ TEST(Config, ThePapersMethodKnowsNoSteps) {
   EXPECT_NO_THROW(config.validate());
 }
 
+TEST(Config, WhatOnlyThePaperHasIsRefusedInOurMethod) {
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.group != "paper") continue;
+    Config config;
+    set_number(config, parameter, parameter.max);
+    EXPECT_THROW(config.validate(), std::invalid_argument) << parameter.name;
+    config.method = Method::paper;
+    EXPECT_NO_THROW(config.validate()) << parameter.name;
+  }
+}
+
 TEST(Config, BothPresetsAreValid) {
   EXPECT_NO_THROW(Config{}.validate());
   EXPECT_NO_THROW(Config::paper().validate());
-}
-
-void set_number(Config& config, const Parameter& parameter, double value) {
-  if (const auto* number = std::get_if<double Config::*>(&parameter.member))
-    config.*(*number) = value;
-  else if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
-    config.*(*optional) = value;
-  else if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
-    config.*(*whole) = static_cast<int>(value);
 }
 
 std::string complaint_about(const Config& config) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "support/stages.hpp"
 
 namespace groundgrid {
@@ -13,9 +15,8 @@ using testing::flat_map;
 using testing::metre_grid;
 using testing::PointsInCells;
 
-TEST(UpdateElevation, TakesGroundObstacleAndSkippedCellsIntoTheMap) {
-  Config config = metre_grid(11);
-  config.min_point_fraction = 0.0;
+TEST(UpdateElevation, TakesGroundAndObstacleCellsIntoTheMapAndLeavesOutUnsupportedOnes) {
+  const Config config = metre_grid(11);
   ElevationMap map = flat_map(config);
   PointsInCells points(map);
   points.add(2, 2, {0.1, 0.1, 0.1, 0.1, 0.1});  // flat: ground
@@ -28,7 +29,7 @@ TEST(UpdateElevation, TakesGroundObstacleAndSkippedCellsIntoTheMap) {
 
   TileRunner runner(1);
   GroundCells cells(map.cells());
-  cells.classify(points.grid(), map, SensorPositions{{{5.5F, 5.5F, 1.7F}}}, config, runner);
+  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells(), 1), runner);
   update_elevation(points.grid(), cells, config, runner, map);
 
   // q = 5/20; (0.25·0.1 + 0.25·0) / 0.5 = 0.05; (0.125 + 0.25) / 2 = 0.1875
@@ -39,10 +40,9 @@ TEST(UpdateElevation, TakesGroundObstacleAndSkippedCellsIntoTheMap) {
   EXPECT_FLOAT_EQ(map.height()[above], 0.0F);
   EXPECT_FLOAT_EQ(map.confidence()[above], 0.25F);
 
-  // The same scan with so many points expected that every cell is skipped changes nothing.
-  config.min_point_fraction = 100.0;
+  // The same scan without support changes nothing.
   const std::vector<float> before = map.height();
-  cells.classify(points.grid(), map, SensorPositions{{{5.5F, 5.5F, 1.7F}}}, config, runner);
+  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells()), runner);
   update_elevation(points.grid(), cells, config, runner, map);
   EXPECT_EQ(map.height(), before);
 }

@@ -12,26 +12,26 @@ namespace {
 
 using testing::cell_index;
 using testing::flat_map;
-using testing::metre_grid;
 using testing::PointsInCells;
 
-/// A scan over a map of 61 × 61 cells of one metre, with a point in every cell that has a height.
+constexpr double kCell_m = 0.33;
+
+Config small_map() {
+  Config config;
+  config.map_extent_m = 60 * kCell_m;
+  return config;
+}
+
+/// A scan over a map of 61 × 61 cells, with a point in every cell that has a height.
 class GroundSurfaceTest : public ::testing::Test {
  protected:
   using Height = std::function<std::optional<double>(int column, int row)>;
 
   GroundSurfaceTest()
-      : config_(metre_grid(61)),
-        map_(flat_map(config_)),
+      : map_(flat_map(small_map())),
         cells_(map_.cells()),
         supported_(map_.cells(), 1),
-        surface_(map_, runner_) {
-    config_.min_point_fraction = 0.0;
-    config_.min_variance_threshold = 1.0;  // every cell with a point is a ground cell at first
-    config_.surface_block_m = 15.0;
-    config_.surface_step_m = 0.3;
-    config_.plateau_area_m2 = 50.0;
-  }
+        surface_(map_, runner_) {}
 
   void process(const Height& height, const LocalPlane& ground = {}) {
     PointsInCells points(map_);
@@ -44,14 +44,13 @@ class GroundSurfaceTest : public ::testing::Test {
   void process(PointsInCells& points, const LocalPlane& ground = {}) {
     TileRunner runner(1);
     const ScanGrid& grid = points.grid();
-    cells_.classify(grid, map_, SensorPositions{{{30.5F, 30.5F, 1.7F}}}, config_, runner,
-                    supported_.data());
-    surface_.reject_raised(grid, ground, config_, cells_, map_);
-    surface_.accept_lone(grid, config_, cells_);
+    cells_.classify(grid, map_, supported_, runner);
+    surface_.reject_raised(grid, ground, cells_, map_);
+    surface_.accept_lone(grid, cells_);
     for (std::size_t i = 0; i < grid.occupied.size(); ++i)
       if (cells_.cells()[i].ground)
         map_.height()[grid.occupied[i]] = cells_.cells()[i].patch_elevation;
-    surface_.fill(grid, ground, config_, cells_, map_);
+    surface_.fill(grid, ground, small_map(), cells_, map_);
   }
 
   bool is_ground(int column, int row) const {
@@ -64,7 +63,6 @@ class GroundSurfaceTest : public ::testing::Test {
     return map_.confidence()[cell_index(map_, column, row)];
   }
 
-  Config config_;
   ElevationMap map_;
   GroundCells cells_;
   std::vector<std::uint8_t> supported_;
@@ -82,7 +80,7 @@ TEST_F(GroundSurfaceTest, FlatGroundStays) {
 }
 
 TEST_F(GroundSurfaceTest, AHillsideStays) {
-  process([](int column, int) { return 0.4 * (column - 30); });
+  process([](int column, int) { return 0.4 * kCell_m * (column - 30); });
   for (int i = 0; i < map_.size(); ++i) EXPECT_TRUE(is_ground(i, i)) << i;
 }
 
@@ -95,12 +93,13 @@ TEST_F(GroundSurfaceTest, ARoofIsNoGroundAndItsCellsTakeTheHeightAround) {
 }
 
 TEST_F(GroundSurfaceTest, AWideTerraceIsGroundAndANarrowOneIsNot) {
-  const Height terrace = [](int column, int row) { return inside(column, row, 26, 9) ? 0.7 : 0.0; };
-  process(terrace);
+  const auto terrace = [](int cells) {
+    return [cells](int column, int row) { return inside(column, row, 26, cells) ? 0.7 : 0.0; };
+  };
+  process(terrace(9));
   EXPECT_TRUE(is_ground(30, 30));
-  config_.plateau_area_m2 = 100.0;
-  process(terrace);
-  EXPECT_FALSE(is_ground(30, 30));
+  process(terrace(4));
+  EXPECT_FALSE(is_ground(27, 27));
 }
 
 TEST_F(GroundSurfaceTest, AWideRoofIsTooHighForATerrace) {
@@ -112,7 +111,7 @@ TEST_F(GroundSurfaceTest, ALoneCellIsGroundIfItLiesOnTheSurfaceOfTheOthers) {
   const std::size_t lone = cell_index(map_, 30, 30);
   supported_[lone] = 0;
   const auto is_ground_at = [&](double height) {
-    map_ = flat_map(config_);
+    map_ = flat_map(small_map());
     // Nothing else is in its patch.
     process([=](int column, int row) -> std::optional<double> {
       if (column == 30 && row == 30) return height;
@@ -120,9 +119,9 @@ TEST_F(GroundSurfaceTest, ALoneCellIsGroundIfItLiesOnTheSurfaceOfTheOthers) {
     });
     return is_ground(30, 30);
   };
-  EXPECT_TRUE(is_ground_at(0.25));
+  EXPECT_TRUE(is_ground_at(0.15));
   EXPECT_TRUE(is_ground_at(-0.4));
-  EXPECT_FALSE(is_ground_at(0.35));
+  EXPECT_FALSE(is_ground_at(0.25));
   EXPECT_FALSE(is_ground_at(-0.6));
   EXPECT_NEAR(height(29, 30), 0.0, 1e-4) << "it has no part in the surface";
 }
@@ -149,22 +148,20 @@ TEST_F(GroundSurfaceTest, WhatIsRememberedOnTheSurfaceStaysAndFadesByEquation8) 
 
 TEST_F(GroundSurfaceTest, WhatNobodySawLiesOnTheSlopeAround) {
   process([](int column, int row) {
-    return inside(column, row, 25, 11) ? std::nullopt : std::optional(0.2 * (column - 30));
+    return inside(column, row, 25, 11) ? std::nullopt
+                                       : std::optional(0.2 * kCell_m * (column - 30));
   });
   for (int column = 25; column < 36; ++column)
-    EXPECT_NEAR(height(column, 30), 0.2 * (column - 30), 0.15);
+    EXPECT_NEAR(height(column, 30), 0.2 * kCell_m * (column - 30), 0.05);
 }
 
 TEST_F(GroundSurfaceTest, WithoutAnythingSeenThePlaneOfTheVehicleGoesOn) {
   process([](int, int) { return std::nullopt; }, {0.5, 0.1, 0.0});
-  EXPECT_NEAR(height(40, 30), 1.5, 1e-4);
+  EXPECT_NEAR(height(40, 30), 0.5 + 0.1 * 10 * kCell_m, 1e-4);
   EXPECT_NEAR(height(30, 10), 0.5, 1e-4);
 }
 
 TEST_F(GroundSurfaceTest, TheGroundIsNowhereAboveALowestReturn) {
-  config_.min_variance_threshold = 1e-3;
-  config_.own_variance_min_points = 1;
-  config_.surface_follow_m = 0.1;
   PointsInCells points(map_);
   for (int row = 0; row < map_.size(); ++row)
     for (int column = 0; column < map_.size(); ++column)

@@ -18,6 +18,8 @@ namespace {
 using testing::cell_index;
 using testing::flat_map;
 
+constexpr RayRule kPapersRule{0.1, 1.25};
+
 struct Interval {
   double begin = 0.0;
   double end = 1.0;
@@ -46,7 +48,7 @@ double confidence_sum(const ElevationMap& map, int column, int row) {
 
 /// How much a cell hides of a ray: below 0 it does not, near 0 rounding decides.
 double hides_by(const ElevationMap& map, const Point3f& sensor, const Point3f& point, int column,
-                int row, const Config& config) {
+                int row, const RayRule& rule) {
   const double cell = map.cell_size();
   Interval share;
   clip(static_cast<double>(sensor.x), static_cast<double>(point.x), column * cell,
@@ -57,8 +59,8 @@ double hides_by(const ElevationMap& map, const Point3f& sensor, const Point3f& p
   const double drop = static_cast<double>(point.z) - sensor_z;
   const double lowest = sensor_z + (drop < 0.0 ? share.end : share.begin) * drop;
   const double surface = static_cast<double>(map.height()[cell_index(map, column, row)]);
-  return std::min({share.length() - 1e-9, surface - lowest - config.outlier_tolerance_m,
-                   confidence_sum(map, column, row) - config.outlier_min_confidence});
+  return std::min({share.length() - 1e-9, surface - lowest - rule.tolerance_m,
+                   confidence_sum(map, column, row) - rule.min_confidence});
 }
 
 bool is_inside(const ElevationMap& map, const Point3f& sensor) {
@@ -70,7 +72,7 @@ bool is_inside(const ElevationMap& map, const Point3f& sensor) {
 
 /// Looks at every cell of the map; nothing where rounding decides.
 std::optional<bool> sees(const ElevationMap& map, const Point3f& sensor, const Point3f& point,
-                         const Config& config) {
+                         const RayRule& rule) {
   if (!is_inside(map, sensor)) return true;
   const auto own_column =
       static_cast<int>(std::floor(static_cast<double>(point.x) / map.cell_size()));
@@ -79,7 +81,7 @@ std::optional<bool> sees(const ElevationMap& map, const Point3f& sensor, const P
   for (int row = 0; row < map.size(); ++row)
     for (int column = 0; column < map.size(); ++column)
       if (column != own_column || row != own_row)
-        most = std::max(most, hides_by(map, sensor, point, column, row, config));
+        most = std::max(most, hides_by(map, sensor, point, column, row, rule));
   if (std::abs(most) < 1e-6) return std::nullopt;
   return most < 0.0;
 }
@@ -105,13 +107,13 @@ TEST(LineOfSight, AgreesWithBruteForceOnRandomMapsAndRays) {
                            uniform(0.3, 1.9)};
       Point3f point{uniform(0.0, extent), uniform(0.0, extent), uniform(-0.8, 0.4)};
       if (ray % 10 == 0) point.y = sensor.y;
-      const std::optional<bool> expected = sees(map, sensor, point, config);
+      const std::optional<bool> expected = sees(map, sensor, point, kPapersRule);
       if (!expected) {
         ++undecided;
         continue;
       }
       ++rays[*expected ? 1 : 0];
-      ASSERT_EQ(has_line_of_sight(map, sensor, point, config), *expected)
+      ASSERT_EQ(has_line_of_sight(map, sensor, point, kPapersRule), *expected)
           << "from " << sensor.x << ' ' << sensor.y << ' ' << sensor.z << " to " << point.x << ' '
           << point.y << ' ' << point.z << " in round " << round;
     }
@@ -134,7 +136,7 @@ class Road : public ::testing::Test {
   }
 
   bool sees(float x, float z) const {
-    return has_line_of_sight(map_, sensor_, {sensor_.x + x, sensor_.y, z}, config_);
+    return has_line_of_sight(map_, sensor_, {sensor_.x + x, sensor_.y, z}, kPapersRule);
   }
 
   /// Sets the known height of all cells from `begin` to `end` metres ahead of the sensor.
@@ -187,15 +189,14 @@ TEST_F(Road, AHillHidesWhatLiesBehindIt) {
   EXPECT_TRUE(sees(4.0F, 0.0F));
 }
 
-TEST(FilterOutliers, MarksOnlyPointsDeeperThanTheLeastDepth) {
-  Config config = Config::paper();
+TEST(FilterOutliers, MarksOnlyHiddenPointsWellBelowTheMap) {
+  Config config;
   config.map_extent_m = 40.0;
-  config.outlier_min_depth_m = 1.0;
   ElevationMap map = flat_map(config);
   for (float& confidence : map.confidence()) confidence = 0.5F;
   const float xyz[] = {10.0F, 0.0F, -3.23F,   // 1.5 m under the road
-                       10.0F, 0.0F, -2.33F,   // 0.6 m under the road
-                       10.0F, 0.0F, -1.73F,   // on it
+                       10.0F, 0.0F, -2.04F,   // 0.31 m under the road
+                       10.0F, 0.0F, -2.02F,   // 0.29 m under it
                        99.0F, 0.0F, -3.23F};  // outside of the map
   SensorPass pass;
   pass.points = PointView::from_floats(xyz, 4, 3);
@@ -209,7 +210,7 @@ TEST(FilterOutliers, MarksOnlyPointsDeeperThanTheLeastDepth) {
   const std::vector<std::uint32_t> cells = bins.cell;
   const auto outliers = [&] {
     bins.cell = cells;
-    filter_outliers(pass, {0, 4}, map, config, bins);
+    filter_outliers(pass, {0, 4}, map, bins);
     std::vector<bool> marked;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       marked.push_back(bins.is_outlier(i));
@@ -219,9 +220,9 @@ TEST(FilterOutliers, MarksOnlyPointsDeeperThanTheLeastDepth) {
   };
   EXPECT_EQ(outliers(), std::vector<bool>(4, false)) << "a blank map knows nothing";
   map.mark_observed();
-  EXPECT_EQ(outliers(), (std::vector<bool>{true, false, false, false}));
-  config.outlier_min_depth_m = 0.2;
   EXPECT_EQ(outliers(), (std::vector<bool>{true, true, false, false}));
+  for (float& confidence : map.confidence()) confidence = 0.3F;
+  EXPECT_EQ(outliers(), std::vector<bool>(4, false)) << "25 · 0.3 is less than ground seen well";
 }
 
 }  // namespace

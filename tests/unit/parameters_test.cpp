@@ -135,13 +135,14 @@ TEST(SetParameter, SetsFieldsOfEachKind) {
   Config config;
   set_parameter(config, "cell_size_m", "0.25");
   set_parameter(config, "sensor_height_m", "1.73");
-  set_parameter(config, "own_variance_min_points", "7");
   set_parameter(config, "method", "paper");
+  set_parameter(config, "own_variance_min_points", "7");
   EXPECT_EQ(config.cell_size_m, 0.25);
   EXPECT_EQ(config.sensor_height_m, 1.73);
   EXPECT_EQ(config.own_variance_min_points, 7);
   EXPECT_EQ(config.method, Method::paper);
   set_parameter(config, "sensor_height_m", "none");
+  set_parameter(config, "own_variance_min_points", "10");
   set_parameter(config, "method", "standard");
   EXPECT_FALSE(config.sensor_height_m.has_value());
   EXPECT_EQ(config.method, Method::standard);
@@ -151,6 +152,7 @@ TEST(SetParameter, ReachesEveryField) {
   for (const Parameter& parameter : parameters()) {
     Config config;
     if (std::holds_alternative<Method Config::*>(parameter.member)) continue;
+    if (parameter.group == "paper") config.method = Method::paper;
     const double before = value_of(config, parameter);
     // The cells must fit into the map: those two are only moved a little.
     const bool map_size = parameter.name == "map_extent_m" || parameter.name == "cell_size_m";

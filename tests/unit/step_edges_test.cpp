@@ -27,10 +27,6 @@ class StepEdgesOnGround : public ::testing::Test {
  protected:
   StepEdgesOnGround()
       : config_(metre_grid(kSize)), map_(flat_map(config_)), points_(std::in_place, map_) {
-    // Up to 0.5 m above the map all is ground, whatever the column holds.
-    config_.ground_threshold_m = 0.5;
-    config_.level_band_m = 0.0;
-    config_.tall_height_m = 100.0;
     config_.max_step_m = 0.1;
   }
 
@@ -56,10 +52,10 @@ class StepEdgesOnGround : public ::testing::Test {
   /// Height up to which the points of a cell are ground; 0.5 m above the map unless lowered.
   float ground_up_to(int column, int row, int threads = 2) {
     TileRunner runner(threads);
-    CellLimits limits(map_, runner);
-    limits.choose_by_column(points_->bins(), points_->grid(), map_, config_, runner);
+    std::vector<CellLimit> limits;
+    for (const float map_height : map_.height()) limits.push_back({map_height, 0.5F});
     edges_.lower_limits(points_->bins(), points_->grid(), config_, runner, limits);
-    const CellLimit limit = limits.limits()[cell_index(map_, column, row)];
+    const CellLimit limit = limits[cell_index(map_, column, row)];
     return limit.level + limit.threshold;
   }
 

@@ -29,11 +29,10 @@ class OneBlock : public ::testing::Test {
   }
   void forget() { std::fill(fit.heights().begin(), fit.heights().end(), kUnknownHeight); }
   double deviation(std::size_t cell) {
-    fit.standard_deviation(heights, config, deviations);
+    fit.standard_deviation(heights, deviations);
     return static_cast<double>(deviations[cell]);
   }
 
-  Config config;
   TileRunner runner{1};
   SurfaceFit fit;
   std::vector<float> heights;
@@ -77,7 +76,7 @@ TEST(SurfaceFit, DeviationsGrowWithTheDistanceFromWhatIsKnown) {
   fit.accept_all();
   fit.fit(heights, {});
   std::vector<float> deviations(heights.size());
-  fit.standard_deviation(heights, Config{}, deviations);
+  fit.standard_deviation(heights, deviations);
   const std::size_t row = std::size_t{30} * kSide;
   for (std::size_t column = 10; column < 60; column += 5)
     EXPECT_LT(deviations[row + column], deviations[row + column + 5]) << column;
