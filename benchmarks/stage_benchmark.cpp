@@ -61,7 +61,7 @@ class Stages {
     rasterise();
   }
   void find_support() { support_.find(bins_, grid_); }
-  void classify() { cells_.classify(grid_, map_, support_.is_supported(), runner_); }
+  void classify() { cells_.classify(grid_, map_, support_.is_supported(), {&sensor_, 1}, runner_); }
   void reject_from_surface() {
     surface_.reject_raised(grid_, plane(), cells_, map_);
     surface_.accept_lone(grid_, cells_);
@@ -95,6 +95,7 @@ class Stages {
         map_.window_z(position.z());
     pass_.points = scan.scan().points;
     pass_.trajectory.set_fixed(T_window_sensor);
+    sensor_ = pass_.trajectory.end().origin();
     bins_.resize(scan.size());
     labels_.resize(scan.size());
     heights_.resize(scan.size());
@@ -127,6 +128,7 @@ class Stages {
   CellLimits limits_;
   BinnedPoints bins_;
   SensorPass pass_;
+  Point3f sensor_;
   std::vector<Label> labels_;
   std::vector<float> heights_;
 };

@@ -26,6 +26,8 @@ inline constexpr std::size_t kSupportCells = 25;
 /// Two passes do on scans as they come, four where every twentieth return lies below the ground.
 inline constexpr int kSupportPasses = 8;
 
+/// Patches are 3 × 3 nearer than this, 5 × 5 beyond (the paper's d_ps, for whom it is 20 m).
+inline constexpr float kWidePatchFrom_m = 40.0F;
 // Ground cells (III-C): heights on a lawn scatter by some 3 cm.
 inline constexpr float kMaxVariance_m2 = 1e-3F;
 /// From this count on a cell's own variance counts, not that of its patch (the paper's v_np).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/constants.hpp"
 #include "core/ground_cells.hpp"
@@ -66,6 +67,7 @@ struct CellBlock {
   std::span<const std::uint32_t> cells;
   HWY_ALIGN std::int32_t column[kMost] = {};
   HWY_ALIGN std::int32_t row[kMost] = {};
+  HWY_ALIGN float distance_squared[kMost] = {};
   HWY_ALIGN WeightedCell own[kMost] = {};
   HWY_ALIGN WeightedCell patch[kMost] = {};
   HWY_ALIGN float elevation[kMost] = {};
@@ -77,10 +79,34 @@ struct CellBlock {
 using Floats = hn::CappedTag<float, CellBlock::kMost>;
 using Ints = hn::RebindToSigned<Floats>;
 
+/// To the nearest sensor.
+void MeasureDistances(const ClassRule& rule, CellBlock& block) {
+  const Floats d;
+  const Ints di;
+  const auto half = hn::Set(d, 0.5F);
+  const auto cell_size = hn::Set(d, rule.cell_size);
+  for (std::size_t i = 0; i < block.cells.size(); i += hn::Lanes(d)) {
+    const auto metres = [&](const std::int32_t* index) HWY_ATTR {
+      return hn::Mul(hn::Add(hn::ConvertTo(d, hn::Load(di, index + i)), half), cell_size);
+    };
+    const auto x = metres(block.column);
+    const auto y = metres(block.row);
+    auto nearest = hn::Set(d, std::numeric_limits<float>::infinity());
+    for (const Point3f& sensor : rule.sensors) {
+      const auto to_x = hn::Sub(x, hn::Set(d, sensor.x));
+      const auto to_y = hn::Sub(y, hn::Set(d, sensor.y));
+      nearest = hn::Min(nearest, hn::Add(hn::Mul(to_x, to_x), hn::Mul(to_y, to_y)));
+    }
+    hn::Store(nearest, d, block.distance_squared + i);
+  }
+}
+
 void SumPatches(const ClassRule& rule, CellBlock& block) {
+  constexpr float kWideFromSquared = constants::kWidePatchFrom_m * constants::kWidePatchFrom_m;
   for (std::size_t i = 0; i < block.cells.size(); ++i) {
+    const int half = block.distance_squared[i] < kWideFromSquared ? 1 : 2;
     block.own[i] = rule.cells[block.cells[i]];
-    block.patch[i] = SumPatch(rule, block.cells[i], block.column[i], block.row[i]);
+    block.patch[i] = SumPatch(rule, block.cells[i], block.column[i], block.row[i], half);
   }
 }
 
@@ -130,6 +156,7 @@ void ClassifyCells(std::span<const std::uint32_t> occupied, const ClassRule& rul
       block.row[i] = row;
       block.column[i] = static_cast<std::int32_t>(block.cells[i]) - row * rule.size;
     }
+    MeasureDistances(rule, block);
     SumPatches(rule, block);
     JudgeCells(rule, block);
     if (block.any_slope) JudgeSlopes(rule, block);

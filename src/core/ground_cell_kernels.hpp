@@ -17,7 +17,7 @@ struct WeightedCell {
   float own_variance = 0.0F;  ///< m²
 };
 
-/// What the sums over a cell's 3 × 3 patch say; for every occupied cell.
+/// What the sums over a cell's patch say; for every occupied cell.
 struct GroundCell {
   float patch_points = 0.0F;     ///< ΣP.
   float patch_elevation = 0.0F;  ///< Eq. 3, metres above the z origin.
@@ -33,6 +33,7 @@ struct ClassRule {
   int size = 0;
   float cell_size = 0.0F;
   const std::uint8_t* supported = nullptr;  ///< 1 for each cell that may be ground.
+  std::span<const Point3f> sensors{};       ///< Distances are planar and to the nearest one.
 };
 
 /// Weighted moments of occupied cells, written to their places in the window.

@@ -34,13 +34,15 @@ void GroundCells::summarise(const ScanGrid& grid, TileRunner& runner) {
 }
 
 void GroundCells::classify(const ScanGrid& grid, const ElevationMap& map,
-                           const std::vector<std::uint8_t>& supported, TileRunner& runner) {
+                           const std::vector<std::uint8_t>& supported,
+                           std::span<const Point3f> sensors, TileRunner& runner) {
   summarise(grid, runner);
   ClassRule rule;
   rule.cells = weighted_.data();
   rule.size = map.size();
   rule.cell_size = static_cast<float>(map.cell_size());
   rule.supported = supported.data();
+  rule.sensors = sensors;
   runner.parallel_for_ranges(grid.occupied.size(), kCellsPerTile,
                              [&](std::size_t begin, std::size_t end) {
                                classify_cells(std::span(grid.occupied).subspan(begin, end - begin),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/constants.hpp"
@@ -35,15 +36,17 @@ inline float variance_threshold_on(float slope_squared, float cell_size) {
 }
 inline float steepest_threshold(float cell_size) { return variance_threshold_on(1e9F, cell_size); }
 
-/// Classification of ground cells in place of paper III-C: patches of 3 × 3 cells, one threshold
-/// for their variance at any distance. The scratch and the answer, reused every scan.
+/// Classification of ground cells in place of paper III-C: one threshold for their variance at any
+/// distance and number of points. The scratch and the answer, reused every scan.
 class GroundCells {
  public:
   explicit GroundCells(std::size_t cells);
 
-  /// `supported` is 1 for each cell of the window that may be ground; see CellSupport.
+  /// `supported` is 1 for each cell of the window that may be ground, see CellSupport; `sensors`
+  /// are their places in the window frame.
   void classify(const ScanGrid& grid, const ElevationMap& map,
-                const std::vector<std::uint8_t>& supported, TileRunner& runner);
+                const std::vector<std::uint8_t>& supported, std::span<const Point3f> sensors,
+                TileRunner& runner);
 
   /// Element i belongs to ScanGrid::occupied[i].
   [[nodiscard]] const std::vector<GroundCell>& cells() const { return cells_; }

@@ -260,7 +260,7 @@ LabelCounts GroundGrid::Pipeline::run_stages() {
     });
   list_occupied(grid_);
   support_.find(bins_, grid_);
-  ground_cells_.classify(grid_, map_, support_.is_supported(), runner_);
+  ground_cells_.classify(grid_, map_, support_.is_supported(), positions_, runner_);
   const LocalPlane ground = plane_in_window();
   surface_.reject_raised(grid_, ground, ground_cells_, map_);
   surface_.accept_lone(grid_, ground_cells_);

@@ -67,6 +67,13 @@ template <int kRows>
 HWY_INLINE CellSum SumTwoColumns(const CellRows& rows) {
   return Plus(SumColumn<kRows>(rows, 0), SumColumn<kRows>(rows, 1));
 }
+
+/// Columns 0 and 2, and 1 and 3.
+template <int kRows>
+HWY_INLINE CellSum SumFourColumns(const CellRows& rows) {
+  return Plus(Plus(SumColumn<kRows>(rows, 0), SumColumn<kRows>(rows, 2)),
+              Plus(SumColumn<kRows>(rows, 1), SumColumn<kRows>(rows, 3)));
+}
 #else
 /// As many columns as a vector holds, each for itself.
 template <int kRows, class D>
@@ -87,26 +94,48 @@ HWY_INLINE CellSum SumTwoColumns(const CellRows& rows) {
   const hn::FixedTag<float, 2 * kNumbers> two;
   return AddHalves(two, SumColumns<kRows>(two, rows, 0));
 }
+
+template <int kRows>
+HWY_INLINE CellSum SumFourColumns(const CellRows& rows) {
+  const hn::FixedTag<float, 2 * kNumbers> two;
+#if HWY_MAX_BYTES >= 64
+  const hn::FixedTag<float, 4 * kNumbers> four;
+  return AddHalves(two, AddHalves(four, SumColumns<kRows>(four, rows, 0)));
+#else
+  return AddHalves(two, hn::Add(SumColumns<kRows>(two, rows, 0), SumColumns<kRows>(two, rows, 2)));
+#endif
+}
 #endif
 
-/// At the border: cells outside the window add nothing.
-WeightedCell SumAtBorder(const ClassRule& rule, int column, int row) {
+/// Sums over the cells up to one or two away in both directions, all of them in the window.
+HWY_INLINE WeightedCell SumNine(const CellRows& rows) {
+  return Total(Plus(SumTwoColumns<3>(rows), SumColumn<3>(rows, 2)));
+}
+HWY_INLINE WeightedCell SumTwentyFive(const CellRows& rows) {
+  return Total(Plus(SumFourColumns<5>(rows), SumColumn<5>(rows, 4)));
+}
+
+/// The same at the border: cells outside the window add nothing.
+WeightedCell SumAtBorder(const ClassRule& rule, int column, int row, int half) {
   const auto column_sum = [&](int x) HWY_ATTR {
     CellSum sum = LoadCell(WeightedCell{});
     if (column + x < 0 || column + x >= rule.size) return sum;
-    for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rule.size - 1); ++y)
+    for (int y = std::max(row - half, 0); y <= std::min(row + half, rule.size - 1); ++y)
       sum = Plus(sum, LoadCell(rule.cells[std::ptrdiff_t{y} * rule.size + column + x]));
     return sum;
   };
-  return Total(Plus(Plus(column_sum(-1), column_sum(0)), column_sum(1)));
+  if (half == 1) return Total(Plus(Plus(column_sum(-1), column_sum(0)), column_sum(1)));
+  return Total(Plus(Plus(Plus(column_sum(-2), column_sum(0)), Plus(column_sum(-1), column_sum(1))),
+                    column_sum(2)));
 }
 
-/// Sums over a cell and the eight around it.
-HWY_INLINE WeightedCell SumPatch(const ClassRule& rule, std::uint32_t cell, int column, int row) {
-  if (column < 1 || row < 1 || column + 1 >= rule.size || row + 1 >= rule.size)
-    return SumAtBorder(rule, column, row);
-  const CellRows rows{rule.cells + cell - rule.size - 1, rule.size};
-  return Total(Plus(SumTwoColumns<3>(rows), SumColumn<3>(rows, 2)));
+HWY_INLINE WeightedCell SumPatch(const ClassRule& rule, std::uint32_t cell, int column, int row,
+                                 int half) {
+  if (column < half || row < half || column + half >= rule.size || row + half >= rule.size)
+    return SumAtBorder(rule, column, row, half);
+  const WeightedCell* own = rule.cells + cell;
+  return half == 1 ? SumNine({own - rule.size - 1, rule.size})
+                   : SumTwentyFive({own - 2 * std::ptrdiff_t{rule.size} - 2, rule.size});
 }
 
 }  // namespace groundgrid::HWY_NAMESPACE

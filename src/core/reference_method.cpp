@@ -148,13 +148,13 @@ struct Patch {
   }
 };
 
-/// Of 3 × 3 cells.
-Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row) {
+/// Of the cells up to `half` away along each axis.
+Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row, int half) {
   const auto column_sum = [&](int x) {
     Patch sum;
-    for (int y = row - 1; y <= row + 1; ++y) {
-      if (!window.contains(x, y)) continue;
-      const CellStatistics& cell = grid.statistics[window.cell(x, y)];
+    for (int y = row - half; y <= row + half; ++y) {
+      if (!window.contains(column + x, y)) continue;
+      const CellStatistics& cell = grid.statistics[window.cell(column + x, y)];
       if (cell.count == 0) continue;
       const auto points = static_cast<float>(cell.count);
       sum = sum +
@@ -162,7 +162,20 @@ Patch sum_patch(const ScanGrid& grid, const Window& window, int column, int row)
     }
     return sum;
   };
-  return (column_sum(column - 1) + column_sum(column)) + column_sum(column + 1);
+  if (half == 1) return (column_sum(-1) + column_sum(0)) + column_sum(1);
+  return ((column_sum(-2) + column_sum(0)) + (column_sum(-1) + column_sum(1))) + column_sum(2);
+}
+
+/// Planar, to the nearest sensor.
+float distance_to_sensor(const Scan& scan, const Window& window, int column, int row) {
+  const auto cell_size = static_cast<float>(window.cell_size);
+  float nearest_squared = std::numeric_limits<float>::infinity();
+  for (const Point3f& sensor : scan.positions) {
+    const float x = (static_cast<float>(column) + 0.5F) * cell_size - sensor.x;
+    const float y = (static_cast<float>(row) + 0.5F) * cell_size - sensor.y;
+    nearest_squared = std::min(nearest_squared, x * x + y * y);
+  }
+  return std::sqrt(nearest_squared);
 }
 
 /// From the lowest returns of the cells beside a cell.
@@ -180,12 +193,13 @@ float slope_squared(const ScanGrid& grid, const Window& window, int column, int 
 
 /// III-C with one threshold at any distance, and any number of points; a slope is no roughness, and
 /// only supported cells are ground.
-GroundCell classify_cell(const ScanGrid& grid, const Window& window, std::uint32_t index,
-                         bool supported) {
+GroundCell classify_cell(const Scan& scan, const ScanGrid& grid, const Window& window,
+                         std::uint32_t index, bool supported) {
   const int column = window.column(index);
   const int row = window.row(index);
   const CellStatistics& cell = grid.statistics[index];
-  const Patch patch = sum_patch(grid, window, column, row);
+  const float distance = distance_to_sensor(scan, window, column, row);
+  const Patch patch = sum_patch(grid, window, column, row, distance < kWidePatchFrom_m ? 1 : 2);
   const bool own = cell.count >= static_cast<std::uint32_t>(kOwnVariancePoints);
   const float variance =
       own ? static_cast<float>(cell.variance_m2()) : patch.variance / patch.points;
@@ -729,7 +743,7 @@ LabelCounts process(const Scan& scan, const LocalPlane& ground, const Config& co
   const PerCell<std::uint8_t> supported = rasterize_supported(window, bins, grid);
   std::vector<GroundCell> cells;
   for (const std::uint32_t cell : grid.occupied)
-    cells.push_back(classify_cell(grid, window, cell, supported[cell] != 0));
+    cells.push_back(classify_cell(scan, grid, window, cell, supported[cell] != 0));
   const PerCell<std::uint8_t> on_surface = compare_with_surface(grid, ground, window, cells, map);
   update_elevation(grid, cells, config, map);
   map.mark_observed();

@@ -27,10 +27,10 @@ struct WeightedWindow {
       occupied.push_back(i);
     }
   }
-  [[nodiscard]] WeightedCell sum(int column, int row) const {
+  [[nodiscard]] WeightedCell sum(int column, int row, int half) const {
     WeightedCell patch;
-    for (int y = row - 1; y <= row + 1; ++y)
-      for (int x = column - 1; x <= column + 1; ++x) {
+    for (int y = row - half; y <= row + half; ++y)
+      for (int x = column - half; x <= column + half; ++x) {
         if (x < 0 || y < 0 || x >= kWindow || y >= kWindow) continue;
         const WeightedCell& cell = cells[static_cast<std::size_t>(y * kWindow + x)];
         patch.points += cell.points;
@@ -62,37 +62,42 @@ TEST_P(GroundCellKernels, WeighCellsWritesMomentsOfOccupiedCells) {
 }
 
 const std::vector<std::uint8_t> kAllSupported(kWindow* kWindow, 1);
+constexpr Point3f kNear{0.0F, 0.0F, 1.7F};
+constexpr Point3f kFar{0.0F, 41.0F, 1.7F};  // patches of 5 × 5 cells
 
 /// Cells so small that no slope counts.
-ClassRule window_rule(const WeightedWindow& window) {
-  return {window.cells.data(), kWindow, 0.001F, kAllSupported.data()};
+ClassRule window_rule(const WeightedWindow& window, const Point3f& sensor = kNear) {
+  return {window.cells.data(), kWindow, 0.001F, kAllSupported.data(), {&sensor, 1}};
 }
 
 TEST_P(GroundCellKernels, ClassifyCellsSumsPatchesAtTheBorderAndInside) {
   const WeightedWindow window;
-  std::vector<GroundCell> answers(window.occupied.size());
-  std::vector<std::uint8_t> is_ground(window.cells.size(), 7);
-  classify_cells(window.occupied, window_rule(window), answers.data(), is_ground.data());
-  std::size_t ground = 0;
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    const auto cell = window.occupied[i];
-    SCOPED_TRACE(cell);
-    const WeightedCell patch =
-        window.sum(static_cast<int>(cell) % kWindow, static_cast<int>(cell) / kWindow);
-    const WeightedCell& own = window.cells[cell];
-    const float variance = own.points >= 10.0F ? own.own_variance : patch.variance / patch.points;
-    EXPECT_EQ(answers[i].patch_points, patch.points);
-    EXPECT_EQ(answers[i].patch_elevation, patch.min_height / patch.points);
-    EXPECT_EQ(answers[i].variance, variance);
-    EXPECT_TRUE(answers[i].observed);
-    EXPECT_EQ(answers[i].ground, variance < 1e-3F);
-    EXPECT_EQ(is_ground[cell], variance < 1e-3F ? 1 : 0);
-    if (answers[i].ground) ++ground;
+  for (const Point3f* sensor : {&kNear, &kFar}) {
+    std::vector<GroundCell> answers(window.occupied.size());
+    std::vector<std::uint8_t> is_ground(window.cells.size(), 7);
+    classify_cells(window.occupied, window_rule(window, *sensor), answers.data(), is_ground.data());
+    std::size_t ground = 0;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      const auto cell = window.occupied[i];
+      SCOPED_TRACE(cell);
+      const WeightedCell patch =
+          window.sum(static_cast<int>(cell) % kWindow, static_cast<int>(cell) / kWindow,
+                     sensor == &kNear ? 1 : 2);
+      const WeightedCell& own = window.cells[cell];
+      const float variance = own.points >= 10.0F ? own.own_variance : patch.variance / patch.points;
+      EXPECT_EQ(answers[i].patch_points, patch.points);
+      EXPECT_EQ(answers[i].patch_elevation, patch.min_height / patch.points);
+      EXPECT_EQ(answers[i].variance, variance);
+      EXPECT_TRUE(answers[i].observed);
+      EXPECT_EQ(answers[i].ground, variance < 1e-3F);
+      EXPECT_EQ(is_ground[cell], variance < 1e-3F ? 1 : 0);
+      if (answers[i].ground) ++ground;
+    }
+    EXPECT_GT(ground, 10U);
+    EXPECT_LT(ground, answers.size() - 10);
+    EXPECT_EQ(std::count(is_ground.begin(), is_ground.end(), 7),
+              static_cast<std::ptrdiff_t>(window.cells.size() - window.occupied.size()));
   }
-  EXPECT_GT(ground, 10U);
-  EXPECT_LT(ground, answers.size() - 10);
-  EXPECT_EQ(std::count(is_ground.begin(), is_ground.end(), 7),
-            static_cast<std::ptrdiff_t>(window.cells.size() - window.occupied.size()));
 }
 
 TEST_P(GroundCellKernels, ClassifyCellsTakesAnyPartOfTheOccupiedOnes) {

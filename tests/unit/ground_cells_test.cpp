@@ -24,7 +24,7 @@ class GroundCellsTest : public ::testing::Test {
   const GroundCell& classified(int column, int row) {
     TileRunner runner(1);
     const ScanGrid& grid = points_.grid();
-    cells_.classify(grid, map_, supported_, runner);
+    cells_.classify(grid, map_, supported_, {&sensor_, 1}, runner);
     const auto cell = static_cast<std::uint32_t>(cell_index(map_, column, row));
     const auto at = std::find(grid.occupied.begin(), grid.occupied.end(), cell);
     return cells_.cells().at(static_cast<std::size_t>(at - grid.occupied.begin()));
@@ -33,6 +33,7 @@ class GroundCellsTest : public ::testing::Test {
   ElevationMap map_;
   PointsInCells points_;
   std::vector<std::uint8_t> supported_ = std::vector<std::uint8_t>(121, 1);
+  Point3f sensor_{5.5F, 5.5F, 1.7F};
   GroundCells cells_{121};
 };
 
@@ -45,6 +46,30 @@ TEST_F(GroundCellsTest, PatchElevationIsTheCountWeightedMeanOfMinima) {
   const GroundCell& cell = classified(5, 5);
   EXPECT_FLOAT_EQ(cell.patch_points, 6.0F);
   EXPECT_NEAR(cell.patch_elevation, 0.141667F, 1e-6F);
+}
+
+TEST_F(GroundCellsTest, PatchIsFiveByFiveFar) {
+  points_.add(8, 5, {0.14, 0.10});
+  points_.add(9, 5, {0.20, 0.25, 0.30});
+  points_.add(7, 6, {0.05});
+  points_.add(10, 5, {1.0, 1.0, 1.1, 1.2});  // two cells away
+  sensor_.x = 8.5F + 39.9F;
+  EXPECT_FLOAT_EQ(classified(8, 5).patch_points, 6.0F);
+  sensor_.x = 8.5F + 40.1F;
+  // (0.85 + 4 · 1.0) / 10 = 0.485
+  EXPECT_FLOAT_EQ(classified(8, 5).patch_points, 10.0F);
+  EXPECT_NEAR(classified(8, 5).patch_elevation, 0.485F, 1e-6F);
+}
+
+TEST_F(GroundCellsTest, DistanceIsPlanarAndToTheNearestSensor) {
+  points_.add(8, 5, {0.0});
+  points_.add(10, 5, {0.0});  // two cells away
+  sensor_ = {8.5F, -40.0F, 1.7F};
+  EXPECT_FLOAT_EQ(classified(8, 5).patch_points, 2.0F) << "45 m from the only sensor";
+  TileRunner runner(1);
+  const Point3f two[] = {sensor_, {8.5F, -20.0F, -90.0F}};
+  cells_.classify(points_.grid(), map_, supported_, two, runner);
+  EXPECT_FLOAT_EQ(cells_.cells().at(0).patch_points, 1.0F) << "25 m from the other one";
 }
 
 TEST_F(GroundCellsTest, PatchEndsAtTheMapsEdge) {
@@ -132,7 +157,7 @@ TEST_F(GroundCellsTest, AnswersOfTheScanBeforeAreForgotten) {
   PointsInCells next(map_);
   next.add(8, 5, {0.0, 0.0});
   TileRunner runner(1);
-  cells_.classify(next.grid(), map_, supported_, runner);
+  cells_.classify(next.grid(), map_, supported_, {&sensor_, 1}, runner);
   EXPECT_EQ(cells_.is_ground()[cell_index(map_, 6, 5)], 0);
   EXPECT_EQ(cells_.is_ground()[cell_index(map_, 8, 5)], 1);
   EXPECT_FLOAT_EQ(cells_.cells().at(0).patch_points, 2.0F);

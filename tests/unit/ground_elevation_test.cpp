@@ -28,8 +28,10 @@ TEST(UpdateElevation, TakesGroundAndObstacleCellsIntoTheMapAndLeavesOutUnsupport
   for (const std::size_t cell : {ground, below, above}) map.confidence()[cell] = 0.25F;
 
   TileRunner runner(1);
+  const Point3f sensor{5.5F, 5.5F, 1.7F};
   GroundCells cells(map.cells());
-  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells(), 1), runner);
+  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells(), 1), {&sensor, 1},
+                 runner);
   update_elevation(points.grid(), cells, config, runner, map);
 
   // q = 5/20; (0.25·0.1 + 0.25·0) / 0.5 = 0.05; (0.125 + 0.25) / 2 = 0.1875
@@ -42,7 +44,7 @@ TEST(UpdateElevation, TakesGroundAndObstacleCellsIntoTheMapAndLeavesOutUnsupport
 
   // The same scan without support changes nothing.
   const std::vector<float> before = map.height();
-  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells()), runner);
+  cells.classify(points.grid(), map, std::vector<std::uint8_t>(map.cells()), {&sensor, 1}, runner);
   update_elevation(points.grid(), cells, config, runner, map);
   EXPECT_EQ(map.height(), before);
 }

@@ -44,7 +44,8 @@ class GroundSurfaceTest : public ::testing::Test {
   void process(PointsInCells& points, const LocalPlane& ground = {}) {
     TileRunner runner(1);
     const ScanGrid& grid = points.grid();
-    cells_.classify(grid, map_, supported_, runner);
+    const Point3f sensor{10.0F, 10.0F, 1.7F};
+    cells_.classify(grid, map_, supported_, {&sensor, 1}, runner);
     surface_.reject_raised(grid, ground, cells_, map_);
     surface_.accept_lone(grid, cells_);
     for (std::size_t i = 0; i < grid.occupied.size(); ++i)
