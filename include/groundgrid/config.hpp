@@ -85,7 +85,7 @@ struct GROUNDGRID_EXPORT Config {
   double obstacle_threshold_m = 0.1;
 
   // Execution
-  /// Threads to use; 0 for one per core.
+  /// Threads of the standard method, the others use one; 0 for one per core.
   int threads = 1;
 
   /// The paper's equations and its parameter section, to the letter.

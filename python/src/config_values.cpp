@@ -64,7 +64,7 @@ nb::object value_of(const Config& config, const Parameter& parameter) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
           return value ? nb::cast(*value) : nb::none();
         else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>)
-          return nb::cast(name_of(value));
+          return nb::str(std::string(name_of(value)).c_str());
         else
           return nb::cast(value);
       },

@@ -11,7 +11,7 @@ from groundgrid import Config
 
 def test_every_parameter_is_a_keyword_and_an_attribute():
     parameters = groundgrid.parameters()
-    assert len(parameters) > 40
+    assert len(parameters) > 20
     for parameter in parameters:
         assert getattr(Config(), parameter.name) == parameter.default
         value = parameter.default if parameter.default is not None else 1.0

@@ -6,27 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "core/cell_limits.hpp"
-#include "core/cell_support.hpp"
+#include "core/constants.hpp"
 #include "core/elevation_map.hpp"
-#include "core/ground_cells.hpp"
-#include "core/ground_elevation.hpp"
-#include "core/ground_surface.hpp"
 #include "core/input_checks.hpp"
-#include "core/outlier_filter.hpp"
 #include "core/paper_method.hpp"
 #include "core/parallel.hpp"
-#include "core/rasterization.hpp"
 #include "core/reference_method.hpp"
-#include "core/segmentation.hpp"
-#include "core/step_edges.hpp"
+#include "core/standard_method.hpp"
 
 namespace groundgrid {
 namespace {
 
 /// Below this cosine of its tilt a base plane says nothing about the ground around it.
 constexpr double kMinUpright = 0.5;
-constexpr std::size_t kPointsAtOnce = 4096;
 
 Eigen::Isometry3d mounting_of(const SensorScan& scan) {
   return scan.T_base_sensor ? scan.T_base_sensor->isometry() : Eigen::Isometry3d::Identity();
@@ -47,7 +39,8 @@ Plane ground_plane(const Eigen::Isometry3d& T_map_base, double ground_z) {
 
 }  // namespace
 
-/// The stages of the paper in their order, and the buffers they share.
+/// What a scan needs around the method: checks, the height of the sensor, the place of the map,
+/// output.
 class GroundGrid::Pipeline {
  public:
   Pipeline(const Config& config, TileRunner runner)
@@ -55,12 +48,8 @@ class GroundGrid::Pipeline {
         runner_(std::move(runner)),
         map_(config),
         grid_(map_.cells()),
-        support_(map_),
-        ground_cells_(map_.cells()),
-        surface_(map_, runner_),
-        limits_(map_, runner_),
-        step_edges_(map_),
-        is_paper_ground_(map_.cells()) {}
+        standard_(map_, runner_),
+        is_known_(map_.cells()) {}
 
   ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
                      const ScanOutput* output);
@@ -76,9 +65,12 @@ class GroundGrid::Pipeline {
   [[nodiscard]] TerrainView terrain() const;
   std::span<const float> standard_deviation() {
     if (!map_.started()) return {};
-    if (config_.method == Method::paper)
-      surface_.fit_known(is_paper_ground_, plane_in_window(), map_);
-    return surface_.standard_deviation(map_);
+    if (config_.method == Method::standard) return standard_.standard_deviation(map_);
+    // The reference marks all cells that it knows.
+    constexpr float kNoOther = 2.0F;
+    return standard_.standard_deviation(
+        is_known_, config_.method == Method::paper ? constants::kRemembered : kNoOther,
+        plane_in_window(), map_);
   }
   [[nodiscard]] const Config& config() const { return config_; }
 
@@ -92,22 +84,16 @@ class GroundGrid::Pipeline {
   void place_sensors(std::span<const SensorScan> scans, const Motion& motion);
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
   void choose_output(std::size_t points, const ScanOutput* output);
-  void take_points(const SensorPass& pass);
-  LabelCounts run_stages();
+  LabelCounts run_method();
   [[nodiscard]] LocalPlane plane_in_window() const;
-  LabelCounts run_page();
 
   Config config_;
   TileRunner runner_;
   ElevationMap map_;
   Plane ground_plane_;
   ScanGrid grid_;
-  CellSupport support_;
-  GroundCells ground_cells_;
-  GroundSurface surface_;
-  CellLimits limits_;
-  StepEdges step_edges_;
-  paper::GroundMask is_paper_ground_;
+  StandardMethod standard_;
+  std::vector<std::uint8_t> is_known_;  // ground cells (paper), or all that hold the surface up
   BinnedPoints bins_;
   std::vector<SensorPass> passes_;  // keeps the buffers of the most sensors there ever were
   std::size_t sensors_ = 0;         // how many of them this scan has
@@ -146,7 +132,7 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   result.sensor_height_estimated = sensor_height_ && height_estimated_;
   result.map_restarted = place_map(motion.T_map_base_end);
   place_sensors(scans, motion);
-  const LabelCounts counts = config_.method == Method::standard ? run_stages() : run_page();
+  const LabelCounts counts = run_method();
   result.ground = counts.ground;
   result.obstacle = counts.obstacle;
   result.outlier = counts.outlier;
@@ -238,59 +224,23 @@ void GroundGrid::Pipeline::place_sensors(std::span<const SensorScan> scans, cons
   }
 }
 
-/// Bins and filters points, some thousand at once, which then are still near at hand for the next
-/// step. One thread adds them to their cells at once, too.
-void GroundGrid::Pipeline::take_points(const SensorPass& pass) {
-  const CellBand all{0, static_cast<std::uint32_t>(map_.cells())};
-  runner_.parallel_for_ranges(
-      pass.points.count, kPointsAtOnce, [&](std::size_t begin, std::size_t end) {
-        bin_points(pass, {begin, end}, map_, config_, bins_);
-        filter_outliers(pass, {begin, end}, map_, bins_);
-        if (runner_.threads() == 1)
-          add_to_cells(bins_, {pass.first + begin, pass.first + end}, all, grid_);
-      });
-}
-
-LabelCounts GroundGrid::Pipeline::run_stages() {
-  clear(grid_);
-  for (const SensorPass& pass : std::span(passes_).first(sensors_)) take_points(pass);
-  if (runner_.threads() > 1)
-    for_each_band(map_.cells(), runner_, [&](const CellBand& band, std::size_t) {
-      add_to_cells(bins_, {0, bins_.cell.size()}, band, grid_);
-    });
-  list_occupied(grid_);
-  support_.find(bins_, grid_);
-  ground_cells_.classify(grid_, map_, support_.is_supported(), positions_, runner_);
-  const LocalPlane ground = plane_in_window();
-  surface_.reject_raised(grid_, ground, ground_cells_, map_);
-  surface_.accept_lone(grid_, ground_cells_);
-  update_elevation(grid_, ground_cells_, config_, runner_, map_);
-  map_.mark_observed();
-  surface_.fill(grid_, ground, config_, ground_cells_, map_);
-  limits_.choose_by_column(bins_, grid_, map_, config_, runner_);
-  if (config_.max_step_m > 0.0)
-    step_edges_.lower_limits(bins_, grid_, config_, runner_, limits_.limits());
-  return segment(bins_, limits_, map_, config_, runner_, labels_, height_above_ground_);
-}
-
 LocalPlane GroundGrid::Pipeline::plane_in_window() const {
   return {map_.window_z(ground_plane_.z) + ground_plane_.offset, ground_plane_.slope_x,
           ground_plane_.slope_y};
 }
 
-/// The methods that are one page each.
-LabelCounts GroundGrid::Pipeline::run_page() {
-  const std::span passes = std::span(passes_).first(sensors_);
-  for (const SensorPass& pass : passes)
-    runner_.parallel_for_ranges(pass.points.count, kPointsAtOnce,
-                                [&](std::size_t begin, std::size_t end) {
-                                  bin_points(pass, {begin, end}, map_, config_, bins_);
-                                });
-  const paper::Scan scan{passes, positions_};
-  const paper::Answers answers{labels_, height_above_ground_};
-  if (config_.method == Method::paper)
-    return paper::process(scan, config_, bins_, grid_, is_paper_ground_, map_, answers);
-  return reference::process(scan, plane_in_window(), config_, bins_, grid_, map_, answers);
+LabelCounts GroundGrid::Pipeline::run_method() {
+  const Scan scan{std::span(passes_).first(sensors_), positions_, plane_in_window()};
+  const Answers answers{labels_, height_above_ground_};
+  switch (config_.method) {
+    case Method::paper:
+      return paper::process(scan, config_, bins_, grid_, is_known_, map_, answers);
+    case Method::reference:
+      return reference::process(scan, config_, bins_, grid_, is_known_, map_, answers);
+    case Method::standard:
+      break;
+  }
+  return standard_.process(scan, config_, bins_, grid_, map_, answers);
 }
 
 TerrainView GroundGrid::Pipeline::terrain() const {

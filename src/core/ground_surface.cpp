@@ -88,10 +88,10 @@ void GroundSurface::follow_lowest(const ScanGrid& grid, const std::vector<std::u
   runner_->parallel_for_ranges(grid.occupied.size(), kOccupiedPerTile, follow_cells);
 }
 
-void GroundSurface::fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
-                              const ElevationMap& map) {
+void GroundSurface::fit_known(const std::vector<std::uint8_t>& is_known, float min_confidence,
+                              const LocalPlane& ground, const ElevationMap& map) {
   std::copy(map.height().begin(), map.height().end(), fit_.heights().begin());
-  collect_known(is_ground, map.height(), map.confidence(), constants::kRemembered, fit_.heights());
+  collect_known(is_known, map.height(), map.confidence(), min_confidence, fit_.heights());
   fit_.accept_all();
   fit_.fit(map.height(), ground);
 }

@@ -35,10 +35,10 @@ class GroundSurface {
   void fill(const ScanGrid& grid, const LocalPlane& ground, const Config& config,
             const GroundCells& ground_cells, ElevationMap& map);
 
-  /// For maps that fill() did not fill: fits the surface to the cells that are ground in this scan
-  /// or remembered.
-  void fit_known(const std::vector<std::uint8_t>& is_ground, const LocalPlane& ground,
-                 const ElevationMap& map);
+  /// For maps that fill() did not fill: fits the surface to the cells that are marked or have at
+  /// least this confidence.
+  void fit_known(const std::vector<std::uint8_t>& is_known, float min_confidence,
+                 const LocalPlane& ground, const ElevationMap& map);
 
   /// Standard deviation of each cell's height in the map as it stands after fill() or fit_known(),
   /// metres.

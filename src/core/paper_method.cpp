@@ -194,6 +194,7 @@ LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground, const
 
 LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, ScanGrid& grid,
                     GroundMask& is_ground, ElevationMap& map, const Answers& answers) {
+  bin_points(scan.sensors, map, config, bins);
   filter_outliers(scan, config, map, bins);
   rasterize(bins, grid);
   observe_ground(scan, grid, config, is_ground, map);

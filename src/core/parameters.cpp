@@ -77,7 +77,7 @@ constexpr std::array kParameters{
               "Greatest height of a ground point in cells that are not ground."},
     // Execution
     Parameter{"threads", &Config::threads, "", 0.0, 1024.0, "", "execution",
-              "Threads to use; 0 for one per core."},
+              "Threads of the standard method, the others use one; 0 for one per core."},
 };
 
 [[noreturn]] void reject(const Parameter& parameter, std::string_view value,

@@ -92,6 +92,12 @@ void bin_points(const SensorPass& pass, const PointRange& range, const Elevation
   bin_points(pass, range, WindowCells(map), Exclusion(config), bins);
 }
 
+void bin_points(std::span<const SensorPass> sensors, const ElevationMap& map, const Config& config,
+                BinnedPoints& bins) {
+  for (const SensorPass& pass : sensors)
+    bin_points(pass, {0, pass.points.count}, map, config, bins);
+}
+
 void clear(ScanGrid& grid) {
   for (const std::uint32_t cell : grid.occupied) {
     grid.statistics[cell] = CellStatistics{};

@@ -83,6 +83,10 @@ void bin_points(const SensorPass& pass, const PointRange& range, const WindowCel
 void bin_points(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
                 const Config& config, BinnedPoints& bins);
 
+/// All points of all sensors.
+void bin_points(std::span<const SensorPass> sensors, const ElevationMap& map, const Config& config,
+                BinnedPoints& bins);
+
 // Every band reads all points, so more of them than this would cost more than they bring.
 constexpr std::size_t kMaxBands = 8;
 inline std::size_t band_count(const TileRunner& runner) {

@@ -13,6 +13,7 @@
 #include "core/equations.hpp"
 #include "core/ground_cells.hpp"
 #include "core/line_of_sight.hpp"
+#include "core/paper_method.hpp"
 #include "core/step_edges.hpp"
 #include "core/surface_kernels.hpp"
 
@@ -736,18 +737,19 @@ LabelCounts label_points(const BinnedPoints& bins, const PerCell<CellLimit>& lim
 
 }  // namespace
 
-LabelCounts process(const Scan& scan, const LocalPlane& ground, const Config& config,
-                    BinnedPoints& bins, ScanGrid& grid, ElevationMap& map, const Answers& answers) {
+LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, ScanGrid& grid,
+                    PerCell<std::uint8_t>& on_surface, ElevationMap& map, const Answers& answers) {
   const Window window{map.size(), map.cell_size()};
+  bin_points(scan.sensors, map, config, bins);
   filter_deep_outliers(scan, map, bins);
   const PerCell<std::uint8_t> supported = rasterize_supported(window, bins, grid);
   std::vector<GroundCell> cells;
   for (const std::uint32_t cell : grid.occupied)
     cells.push_back(classify_cell(scan, grid, window, cell, supported[cell] != 0));
-  const PerCell<std::uint8_t> on_surface = compare_with_surface(grid, ground, window, cells, map);
+  on_surface = compare_with_surface(grid, scan.ground, window, cells, map);
   update_elevation(grid, cells, config, map);
   map.mark_observed();
-  fill(grid, cells, on_surface, ground, config, window, map);
+  fill(grid, cells, on_surface, scan.ground, config, window, map);
   PerCell<CellLimit> limits = choose_limits(bins, grid, map, config, window);
   if (config.max_step_m > 0.0) {
     TileRunner one_thread(1);

@@ -20,9 +20,12 @@ namespace {
 using testing::DriveScan;
 
 void expect_same_as_reference(Config config, const std::vector<DriveScan>& drive) {
-  const testing::DriveResult fast = testing::run_drive(config, drive);
+  GroundGrid fast(config);
   config.method = Method::reference;
-  EXPECT_TRUE(testing::same_bits(testing::run_drive(config, drive), fast));
+  GroundGrid plain(config);
+  EXPECT_TRUE(
+      testing::same_bits(testing::run_drive(plain, drive), testing::run_drive(fast, drive)));
+  EXPECT_TRUE(std::ranges::equal(plain.standard_deviation(), fast.standard_deviation()));
 }
 
 std::vector<DriveScan> real_drive(const std::filesystem::path& dataset, const std::string& sequence,
@@ -76,7 +79,7 @@ std::vector<float> random_cloud(unsigned seed) {
 
 class ReferenceOn : public testing::OnInstructionSet {};
 
-TEST_P(ReferenceOn, RandomCloudsHasTheSameBits) {
+TEST_P(ReferenceOn, RandomCloudsHaveTheSameBits) {
   for (unsigned seed = 0; seed < 3; ++seed) {
     SCOPED_TRACE(seed);
     std::vector<DriveScan> drive;
@@ -93,7 +96,10 @@ TEST_P(ReferenceOn, RandomCloudsHasTheSameBits) {
 }
 
 TEST_P(ReferenceOn, ASimulatedStreetHasTheSameBits) {
-  expect_same_as_reference({}, testing::street_drive(4));
+  Config config;
+  expect_same_as_reference(config, testing::street_drive(4));
+  config.max_step_m = 0.08;
+  expect_same_as_reference(config, testing::street_drive(2));
 }
 
 INSTANTIATE_TEST_SUITE_P(With, ReferenceOn, testing::all_instruction_sets(), testing::name_of);
