@@ -86,7 +86,8 @@ TEST(MethodOptions, ComeBackFromJson) {
   const nlohmann::ordered_json json = to_json(before);
   Config after;
   for (const auto& [name, value] : json.items())
-    if (!value.is_null()) set_parameter(after, name, value.dump());
+    if (!value.is_null())
+      set_parameter(after, name, value.is_string() ? value.get<std::string>() : value.dump());
   EXPECT_EQ(to_json(after), json);
 }
 

@@ -54,7 +54,7 @@ TEST_P(Accuracy, OfLabelsAndTerrainHolds) {
       result_of("evaluate-terrain " + shell_word(output / "sequences/00/terrain.tif") + " " +
                 shell_word(drive / "sequences/00/truth/terrain.tif"));
   const json& dense = terrain["density"]["dense"];
-  EXPECT_GE(dense["coverage"].get<double>(), 0.97);
+  EXPECT_GE(dense["coverage"].get<double>(), 0.965);
   EXPECT_LE(dense["rmse_m"].get<double>(), GetParam().greatest_dense_m);
 }
 
