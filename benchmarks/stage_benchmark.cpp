@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "core/cell_limits.hpp"
-#include "core/cell_support.hpp"
-#include "core/elevation_map.hpp"
-#include "core/ground_cells.hpp"
-#include "core/ground_elevation.hpp"
-#include "core/ground_surface.hpp"
-#include "core/outlier_filter.hpp"
+#include "core/map/elevation_map.hpp"
 #include "core/parallel.hpp"
-#include "core/rasterization.hpp"
-#include "core/segmentation.hpp"
+#include "core/stages/cell_limits.hpp"
+#include "core/stages/cell_support.hpp"
+#include "core/stages/ground_cells.hpp"
+#include "core/stages/ground_elevation.hpp"
+#include "core/stages/ground_surface.hpp"
+#include "core/stages/outlier_filter.hpp"
+#include "core/stages/rasterization.hpp"
+#include "core/stages/segmentation.hpp"
 #include "drives.hpp"
 
 namespace groundgrid::benchmarks {
@@ -63,7 +63,7 @@ class Stages {
   void find_support() { support_.find(bins_, grid_); }
   void classify() { cells_.classify(grid_, map_, support_.is_supported(), {&sensor_, 1}, runner_); }
   void reject_from_surface() {
-    surface_.reject_raised(grid_, plane(), cells_, map_);
+    surface_.withdraw_raised(grid_, plane(), cells_, map_);
     surface_.accept_lone(grid_, cells_);
   }
   void update() {
@@ -162,7 +162,7 @@ const bool kRegistered = [] {
   add("stage/find_support", Config{}, &Stages::find_support, &Stages::bin_and_rasterise);
   add("stage/classify", Config{}, &Stages::classify);
   add("stage/update_elevation", Config{}, &Stages::update, &Stages::restore_map_before);
-  add("stage/surface/reject_raised", Config{}, &Stages::reject_from_surface,
+  add("stage/surface/withdraw_raised", Config{}, &Stages::reject_from_surface,
       &Stages::restore_before_surface);
   add("stage/surface/fill", Config{}, &Stages::fill_map, &Stages::restore_map_updated);
   add("stage/choose_limits", Config{}, &Stages::choose_limits);

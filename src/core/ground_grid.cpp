@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "core/constants.hpp"
-#include "core/elevation_map.hpp"
 #include "core/input_checks.hpp"
-#include "core/paper_method.hpp"
+#include "core/map/elevation_map.hpp"
+#include "core/method/constants.hpp"
+#include "core/method/paper_method.hpp"
+#include "core/method/reference_method.hpp"
+#include "core/method/standard_method.hpp"
 #include "core/parallel.hpp"
-#include "core/reference_method.hpp"
-#include "core/standard_method.hpp"
 
 namespace groundgrid {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/exclusion.hpp"
 #include "core/input_checks.hpp"
-#include "core/rasterization.hpp"
+#include "core/stages/rasterization.hpp"
 #include "groundgrid/ground_grid.hpp"
 
 namespace groundgrid {

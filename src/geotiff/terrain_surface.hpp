@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/surface_fit.hpp"
+#include "core/stages/surface_fit.hpp"
 #include "geotiff/cell_range.hpp"
 #include "geotiff/surface_options.hpp"
 

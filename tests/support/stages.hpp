@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/elevation_map.hpp"
-#include "core/paper_method.hpp"
+#include "core/map/elevation_map.hpp"
+#include "core/method/paper_method.hpp"
 #include "core/parallel.hpp"
-#include "core/rasterization.hpp"
+#include "core/stages/rasterization.hpp"
 #include "groundgrid/config.hpp"
 
 namespace groundgrid::testing {

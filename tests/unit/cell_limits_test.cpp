@@ -1,5 +1,5 @@
 // The rule that the default has in place of paper III-F's two classes.
-#include "core/cell_limits.hpp"
+#include "core/stages/cell_limits.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which cells are believed, and which returns are set aside because of them.
-#include "core/cell_support.hpp"
+#include "core/stages/cell_support.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The rolling map against one that never forgets where its cells are.
-#include "core/elevation_map.hpp"
+#include "core/map/elevation_map.hpp"
 
 #include <gtest/gtest.h>
 

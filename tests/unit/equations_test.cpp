@@ -1,5 +1,5 @@
 // Eq. 1 to 8 of the paper against values worked out by hand.
-#include "core/equations.hpp"
+#include "core/method/equations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/ground_cell_kernels.hpp"
+#include "core/kernels/ground_cell_kernels.hpp"
 
 #include <algorithm>
 #include <random>

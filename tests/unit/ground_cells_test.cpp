@@ -1,5 +1,5 @@
 // Classes of cells in place of paper III-C; eq. 3 shares the sums.
-#include "core/ground_cells.hpp"
+#include "core/stages/ground_cells.hpp"
 
 #include <gtest/gtest.h>
 

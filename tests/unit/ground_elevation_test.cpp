@@ -1,5 +1,5 @@
 // Paper III-D: what a scan does to the cells of the map.
-#include "core/ground_elevation.hpp"
+#include "core/stages/ground_elevation.hpp"
 
 #include <gtest/gtest.h>
 

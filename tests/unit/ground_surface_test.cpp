@@ -1,4 +1,4 @@
-#include "core/ground_surface.hpp"
+#include "core/stages/ground_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ class GroundSurfaceTest : public ::testing::Test {
     const ScanGrid& grid = points.grid();
     const Point3f sensor{10.0F, 10.0F, 1.7F};
     cells_.classify(grid, map_, supported_, {&sensor, 1}, runner);
-    surface_.reject_raised(grid, ground, cells_, map_);
+    surface_.withdraw_raised(grid, ground, cells_, map_);
     surface_.accept_lone(grid, cells_);
     for (std::size_t i = 0; i < grid.occupied.size(); ++i)
       if (cells_.cells()[i].ground)

@@ -1,4 +1,4 @@
-#include "core/marked_cells.hpp"
+#include "core/kernels/marked_cells.hpp"
 
 #include <random>
 #include <vector>

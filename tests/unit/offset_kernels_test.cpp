@@ -1,4 +1,4 @@
-#include "core/offset_kernels.hpp"
+#include "core/kernels/offset_kernels.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Paper III-A: lines of sight against a brute-force oracle, and cases made by hand.
-#include "core/outlier_filter.hpp"
+#include "core/stages/outlier_filter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "core/line_of_sight.hpp"
+#include "core/method/line_of_sight.hpp"
 #include "support/stages.hpp"
 
 namespace groundgrid {

@@ -1,5 +1,5 @@
 // The paper's page, step by step, against values worked out by hand.
-#include "core/paper_method.hpp"
+#include "core/method/paper_method.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/spiral.hpp"
+#include "core/method/spiral.hpp"
 #include "support/stages.hpp"
 
 namespace groundgrid {

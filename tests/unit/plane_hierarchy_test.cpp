@@ -1,4 +1,4 @@
-#include "core/plane_hierarchy.hpp"
+#include "core/stages/plane_hierarchy.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/plane_kernels.hpp"
+#include "core/kernels/plane_kernels.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

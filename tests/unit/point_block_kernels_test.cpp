@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "core/point_kernels.hpp"
-#include "core/rasterization.hpp"
+#include "core/kernels/point_kernels.hpp"
+#include "core/stages/rasterization.hpp"
 #include "support/instruction_sets.hpp"
 
 namespace groundgrid {

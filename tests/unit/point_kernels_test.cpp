@@ -1,11 +1,11 @@
-#include "core/point_kernels.hpp"
+#include "core/kernels/point_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
-#include "core/rasterization.hpp"
+#include "core/stages/rasterization.hpp"
 #include "support/instruction_sets.hpp"
 
 namespace groundgrid {

@@ -1,5 +1,5 @@
 // Paper III-B: points into cells, and the cells' moments.
-#include "core/rasterization.hpp"
+#include "core/stages/rasterization.hpp"
 
 #include <gtest/gtest.h>
 

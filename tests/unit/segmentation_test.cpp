@@ -1,5 +1,5 @@
 // Paper III-F: the thresholds h_g and h_o.
-#include "core/segmentation.hpp"
+#include "core/stages/segmentation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Steps of the ground as obstacles, on cells of one metre.
-#include "core/step_edges.hpp"
+#include "core/stages/step_edges.hpp"
 
 #include <gtest/gtest.h>
 

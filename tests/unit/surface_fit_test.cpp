@@ -1,4 +1,4 @@
-#include "core/surface_fit.hpp"
+#include "core/stages/surface_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/surface_kernels.hpp"
+#include "core/kernels/surface_kernels.hpp"
 
 #include <cmath>
 #include <random>
