@@ -30,6 +30,7 @@ struct Window {
   double cell_size = 0.0;
 
   [[nodiscard]] std::size_t cells() const { return static_cast<std::size_t>(size * size); }
+  [[nodiscard]] int middle() const { return size / 2; }
   [[nodiscard]] bool contains(int column, int row) const {
     return column >= 0 && row >= 0 && column < size && row < size;
   }
@@ -238,6 +239,8 @@ struct Level {
   double side = 0.0;
   std::vector<BlockPlane> planes{};
 
+  [[nodiscard]] int middle_block() const { return blocks / 2; }
+  [[nodiscard]] int middle_cell() const { return cells / 2; }  ///< Of a block.
   [[nodiscard]] std::size_t block(int x, int y) const {
     return static_cast<std::size_t>(y * blocks + x);
   }
@@ -292,7 +295,7 @@ class Surface {
 
   [[nodiscard]] Place place(const Level& level, int i) const {
     const double in_blocks =
-        (i - window_.size / 2) * window_.cell_size / level.side + level.blocks / 2;
+        (i - window_.middle()) * window_.cell_size / level.side + level.middle_block();
     const int floor = static_cast<int>(std::floor(in_blocks));
     Place result;
     result.before = std::clamp(floor, 0, level.blocks - 1);
@@ -340,16 +343,16 @@ class Surface {
                                    const PerCell<float>& weights) const {
     const auto cell_size = static_cast<float>(window_.cell_size);
     const auto first = [&](int block) {
-      return (block - level.blocks / 2) * level.cells - level.cells / 2 + window_.size / 2;
+      return (block - level.middle_block()) * level.cells - level.middle_cell() + window_.middle();
     };
     BlockSum sum;
     for (int i = 0; i < level.cells; ++i) {
-      const float x = static_cast<float>(i - level.cells / 2) * cell_size;
+      const float x = static_cast<float>(i - level.middle_cell()) * cell_size;
       BlockSum column;
       for (int k = 0; k < level.cells; ++k) {
         if (!window_.contains(first(block_x) + i, first(block_y) + k)) continue;
         const std::uint32_t cell = window_.cell(first(block_x) + i, first(block_y) + k);
-        const float y = static_cast<float>(k - level.cells / 2) * cell_size;
+        const float y = static_cast<float>(k - level.middle_cell()) * cell_size;
         const float weighted_y = weights[cell] * y;
         const float weighted_z = weights[cell] * heights[cell];
         column.w += weights[cell];
@@ -376,8 +379,8 @@ class Surface {
     int block = 0;
     int place = 0;
   };
-  static Parent parent_of(const Level& level, const Level& above, int block) {
-    const int part = block - level.blocks / 2 + (above.blocks / 2) * kBranch + kBranch / 2;
+  static Parent parent_of(const Level& fine, const Level& coarse, int block) {
+    const int part = block - fine.middle_block() + coarse.middle_block() * kBranch + kBranch / 2;
     return {part / kBranch, part % kBranch - kBranch / 2};
   }
 
