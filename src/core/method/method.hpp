@@ -22,4 +22,25 @@ struct Answers {
   std::span<float> height_above_ground;
 };
 
+/// Writes the answer to a point and counts it.
+inline void give(std::size_t point, Label label, float height_above_ground, const Answers& answers,
+                 LabelCounts& counts) {
+  answers.labels[point] = label;
+  answers.height_above_ground[point] = height_above_ground;
+  switch (label) {
+    case Label::unknown:
+      ++counts.unknown;
+      break;
+    case Label::ground:
+      ++counts.ground;
+      break;
+    case Label::obstacle:
+      ++counts.obstacle;
+      break;
+    case Label::outlier:
+      ++counts.outlier;
+      break;
+  }
+}
+
 }  // namespace groundgrid

@@ -167,9 +167,7 @@ LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground, const
   LabelCounts counts;
   for (std::size_t i = 0; i < bins.cell.size(); ++i) {
     if (bins.cell[i] == BinnedPoints::kNoCell) {
-      answers.labels[i] = Label::unknown;
-      answers.height_above_ground[i] = std::numeric_limits<float>::quiet_NaN();
-      ++counts.unknown;
+      give(i, Label::unknown, std::numeric_limits<float>::quiet_NaN(), answers, counts);
       continue;
     }
     const std::uint32_t cell = bins.cell[i] & ~BinnedPoints::kOutlier;
@@ -177,17 +175,9 @@ LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground, const
         static_cast<float>(bins.z[i]) / BinnedPoints::kStepsPerMetre - map.height()[cell];
     const double threshold =
         is_ground[cell] != 0 ? config.ground_threshold_m : config.obstacle_threshold_m;
-    answers.height_above_ground[i] = height;
-    if (bins.is_outlier(i)) {
-      answers.labels[i] = Label::outlier;
-      ++counts.outlier;
-    } else if (static_cast<double>(height) <= threshold) {
-      answers.labels[i] = Label::ground;
-      ++counts.ground;
-    } else {
-      answers.labels[i] = Label::obstacle;
-      ++counts.obstacle;
-    }
+    const bool low = static_cast<double>(height) <= threshold;
+    const Label by_height = low ? Label::ground : Label::obstacle;
+    give(i, bins.is_outlier(i) ? Label::outlier : by_height, height, answers, counts);
   }
   return counts;
 }

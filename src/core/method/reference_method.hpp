@@ -1,19 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/map/elevation_map.hpp"
 #include "core/method/method.hpp"
+#include "core/method/reference_surface.hpp"
 
 /// The default method as plain code: scalar, one thread, values in and values out. It is what
 /// Config::method = Method::reference runs; the fast stages give the same bits, which
 /// tests/property/reference_test.cpp shows. Read it from the bottom: process() is the whole.
 namespace groundgrid::reference {
-
-/// One element for each cell of the window, row by row.
-template <typename T>
-using PerCell = std::vector<T>;
 
 /// Labels a scan and takes it into the map. `bins`, `grid` and `on_surface` are buffers; the last
 /// two tell afterwards what was seen, and which cells hold the surface up.

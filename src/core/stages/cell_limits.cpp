@@ -20,13 +20,6 @@ constexpr std::size_t kSelectedAtOnce = 1024;
 // No point is so far up that its height over this one counts: 32 bits are enough for both.
 constexpr std::int32_t kSettled = -1'500'000'000;
 
-/// Heights that leave 32 bits are cut off: no point is that far from the z origin.
-std::int32_t steps(float metres) {
-  constexpr float kMost = 1e9F;
-  return static_cast<std::int32_t>(
-      std::lrint(std::clamp(metres * BinnedPoints::kStepsPerMetre, -kMost, kMost)));
-}
-
 }  // namespace
 
 CellLimits::CellLimits(const ElevationMap& map, const TileRunner& runner)
@@ -53,7 +46,7 @@ void CellLimits::settle_cells(const ScanGrid& grid, const ElevationMap& map, con
   AscendingRows rows(size_, rule.band.begin);
   for (const std::uint32_t cell : cells_in(grid.occupied, rule.band)) {
     const CellStatistics& seen = statistics[cell];
-    const std::int32_t height = steps(levels[cell]);
+    const std::int32_t height = limited_steps(levels[cell]);
     const std::size_t place = OffsetGrid::place(size_, cell, rows.row_of(cell));
     const std::int64_t lowest = std::int64_t{seen.min} - height;
     const std::int64_t highest = std::int64_t{seen.max} - height;
@@ -103,7 +96,7 @@ void CellLimits::offer_offset(std::size_t place, const Column& column) {
 
 /// Thresholds and offsets of the cells that are not settled.
 void CellLimits::judge_columns(const ScanGrid& grid, std::span<const MixedCell> mixed) {
-  const std::int32_t tall = steps(kTall_m);
+  const std::int32_t tall = limited_steps(kTall_m);
   for (const auto& [cell, place] : mixed) {
     if (rises(columns_[cell])) limits_[cell].threshold = kTallThreshold_m;
     // Where something stands its feet would pass for ground: such cells take the level of others.
@@ -138,10 +131,10 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, const ScanGrid& grid
                                   TileRunner& runner) {
   const ColumnRule rule{heights_.data(),
                         {},
-                        steps(static_cast<float>(kReflectionDepth_m)),
-                        steps(kLevelBand_m),
-                        steps(kTall_m),
-                        steps(kOverhang_m)};
+                        limited_steps(static_cast<float>(kReflectionDepth_m)),
+                        limited_steps(kLevelBand_m),
+                        limited_steps(kTall_m),
+                        limited_steps(kOverhang_m)};
   const auto threshold = static_cast<float>(config.ground_threshold_m);
   for_each_band(limits_.size(), runner, [&](const CellBand& band, std::size_t number) {
     ColumnRule own = rule;

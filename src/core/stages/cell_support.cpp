@@ -19,10 +19,6 @@ constexpr float kNowhere = -1e9F;
 constexpr float kEverywhere = 1e9F;
 constexpr std::size_t kCutAtOnce = 2048;
 
-std::int32_t in_steps(double metres) {
-  return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
-}
-
 }  // namespace
 
 CellSupport::CellSupport(const ElevationMap& map)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,6 +58,18 @@ struct ScanGrid {
 /// Lowest height of a cell that has points, metres above the z origin.
 inline float lowest_m(const CellStatistics& cell) {
   return static_cast<float>(cell.min) * static_cast<float>(CellStatistics::kStep_m);
+}
+
+/// A length in the steps of heights.
+inline std::int32_t in_steps(double metres) {
+  return static_cast<std::int32_t>(std::lrint(metres / CellStatistics::kStep_m));
+}
+/// A height of the map in steps. What leaves 32 bits is cut off: no point is that far from the z
+/// origin.
+inline std::int32_t limited_steps(float metres) {
+  constexpr float kMost = 1e9F;
+  return static_cast<std::int32_t>(
+      std::lrint(std::clamp(metres * BinnedPoints::kStepsPerMetre, -kMost, kMost)));
 }
 
 /// Adds a point to the moments of its cell.
