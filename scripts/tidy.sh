@@ -13,10 +13,7 @@ jobs=$2
 readonly unified="$build/unified"
 mkdir -p "$unified"
 while read -r unit; do
-  # What the Python module has of src is looked at where it belongs.
-  others='^$'
-  if [[ $unit == "$build"/python/* ]]; then others="^#include \"$PWD/src/"; fi
-  grep -v "$others" "$unit" >"$(sed -E 's|unity_([0-9]+)_cxx|UnifiedSource\1|' <<<"$unit")"
+  cp "$unit" "$(sed -E 's|unity_([0-9]+)_cxx|UnifiedSource\1|' <<<"$unit")"
 done < <(find "$build/src" "$build/python" -name 'unity_*_cxx.cxx')
 sed -E 's|unity_([0-9]+)_cxx\.cxx([" ])|UnifiedSource\1.cxx\2|g; s| -Wno-subobject-linkage||g' \
   "$build/compile_commands.json" \

@@ -8,6 +8,9 @@
 
 namespace groundgrid {
 
+/// Cells that a thread takes at a time: enough to be worth it, few enough to share out evenly.
+inline constexpr std::size_t kCellsPerTile = 1024;
+
 /// The one place where threads come in. A stage cuts its work into tiles that each own what they
 /// write; which thread takes which tile, and how many there are, then cannot change a bit.
 class TileRunner {

@@ -14,9 +14,9 @@ ScanResult result_with(std::optional<double> height, bool estimated, bool restar
 }
 
 nlohmann::ordered_json json_of(const MethodNotes& notes) {
-  nlohmann::ordered_json json;
-  put_notes(json, notes);
-  return json;
+  nlohmann::ordered_json written;
+  put_notes(written, notes);
+  return written;
 }
 
 TEST(MethodNotes, SayWhereNoScanHadASensorHeight) {

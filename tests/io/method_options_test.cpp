@@ -83,12 +83,12 @@ TEST(MethodOptions, NameWhatIsWrong) {
 
 TEST(MethodOptions, ComeBackFromJson) {
   const Config before = config_from("--preset paper --sensor-height-m 0.4");
-  const nlohmann::ordered_json json = to_json(before);
+  const nlohmann::ordered_json written = to_json(before);
   Config after;
-  for (const auto& [name, value] : json.items())
+  for (const auto& [name, value] : written.items())
     if (!value.is_null())
       set_parameter(after, name, value.is_string() ? value.get<std::string>() : value.dump());
-  EXPECT_EQ(to_json(after), json);
+  EXPECT_EQ(to_json(after), written);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kCellsPerTile = 1024;
 constexpr std::size_t kForgottenPerTile = 4096;
 
 }  // namespace

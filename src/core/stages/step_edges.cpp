@@ -8,7 +8,6 @@
 namespace groundgrid {
 namespace {
 
-constexpr std::size_t kCellsPerTile = 1024;
 // The sides of a step are next to its cell. How steep they are shows from there to the cells two
 // further on, as far as the sides are from each other.
 constexpr int kSideAway = 1;
