@@ -44,7 +44,7 @@ class CountedGrid {
  private:
   static Config one_thread() {
     Config config;
-    config.sensor_height_m = 1.73;
+    config.vehicle.sensor_height_m = 1.73;
     return config;
   }
 

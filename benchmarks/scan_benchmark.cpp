@@ -11,10 +11,9 @@ const Drive& drive_for(const benchmark::State& state) {
   return drive_of(static_cast<Kilopoints>(state.range(0)));
 }
 
-Config config_for(const benchmark::State& state, Config config) {
-  config.sensor_height_m = 1.73;
-  config.threads = static_cast<int>(state.range(1));
-  return config;
+GroundGrid grid_for(const benchmark::State& state, Config config) {
+  config.vehicle.sensor_height_m = 1.73;
+  return GroundGrid(config, static_cast<int>(state.range(1)));
 }
 
 void describe(benchmark::State& state, std::size_t points) {
@@ -25,7 +24,7 @@ void describe(benchmark::State& state, std::size_t points) {
 
 /// Over and over the last scan of the drive into the map that the drive has left.
 void warm(benchmark::State& state, const Config& config) {
-  GroundGrid grid(config_for(state, config));
+  GroundGrid grid = grid_for(state, config);
   const Drive& drive = drive_for(state);
   for (const TimedScan& scan : drive.scans) grid.process(scan.scan(), scan.T_map_lidar);
   const TimedScan& last = drive.scans.back();
@@ -36,7 +35,7 @@ void warm(benchmark::State& state, const Config& config) {
 
 /// The drive from end to end and back, so that the map scrolls with every scan.
 void driving(benchmark::State& state, const Config& config) {
-  GroundGrid grid(config_for(state, config));
+  GroundGrid grid = grid_for(state, config);
   const std::vector<TimedScan>& scans = drive_for(state).scans;
   const std::size_t period = 2 * (scans.size() - 1);
   std::size_t points = 0;
@@ -52,7 +51,7 @@ void driving(benchmark::State& state, const Config& config) {
 
 /// A single scan: the map is forgotten before each.
 void cold(benchmark::State& state, const Config& config) {
-  GroundGrid grid(config_for(state, config));
+  GroundGrid grid = grid_for(state, config);
   const TimedScan& last = drive_for(state).scans.back();
   for ([[maybe_unused]] const auto iteration : state) {
     grid.reset();

@@ -77,8 +77,8 @@ int main(int argc, char** argv) try {
     const Eigen::Vector3d ahead = scan.T_map_lidar * Eigen::Vector3d(10.0, 0.0, ground_z);
     const groundgrid::TerrainView terrain = grid.terrain();
     const groundgrid::TerrainCell cell =
-        terrain.cell(static_cast<int>((ahead.x() - terrain.min_x_m) / terrain.cell_size_m),
-                     static_cast<int>((ahead.y() - terrain.min_y_m) / terrain.cell_size_m));
+        terrain.cell(static_cast<int>((ahead.x() - terrain.min_x_m) / terrain.resolution_m),
+                     static_cast<int>((ahead.y() - terrain.min_y_m) / terrain.resolution_m));
     std::printf("%.1f %% ground; 10 m ahead the terrain is %+.2f m (confidence %.2f)\n",
                 100.0 * static_cast<double>(result.ground) / static_cast<double>(points),
                 cell.height - here.z(), static_cast<double>(cell.confidence));

@@ -48,8 +48,8 @@ std::vector<MyPoint> synthetic_scan(const Pose& T_base_lidar, double begin, doub
 
 double terrain_height(const groundgrid::TerrainView& terrain, double x, double y) {
   return terrain
-      .cell(static_cast<int>((x - terrain.min_x_m) / terrain.cell_size_m),
-            static_cast<int>((y - terrain.min_y_m) / terrain.cell_size_m))
+      .cell(static_cast<int>((x - terrain.min_x_m) / terrain.resolution_m),
+            static_cast<int>((y - terrain.min_y_m) / terrain.resolution_m))
       .height;
 }
 
@@ -71,6 +71,7 @@ int main() {
   grid.process(scan, vehicle_at(end));
   std::printf("  one pose for all points: %+.2f m\n", terrain_height(grid.terrain(), 20.0, 0.0));
   grid.reset();
-  grid.process({&scan, 1}, vehicle_at(begin), vehicle_at(end));
+  grid.process(
+      {.scans = {&scan, 1}, .T_map_base = vehicle_at(end), .T_map_base_begin = vehicle_at(begin)});
   std::printf("  motion-corrected: %+.2f m\n", terrain_height(grid.terrain(), 20.0, 0.0));
 }

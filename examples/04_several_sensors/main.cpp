@@ -67,7 +67,7 @@ int main() {
 
   groundgrid::GroundGrid grid;
   const Pose T_map_base = Pose::Identity();
-  const groundgrid::ScanResult result = grid.process(scans, T_map_base);
+  const groundgrid::ScanResult result = grid.process({.scans = scans, .T_map_base = T_map_base});
 
   // The labels of the first scan come first, then those of the second.
   print("front", result.labels.first(front_points.size()));

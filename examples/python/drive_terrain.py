@@ -35,14 +35,14 @@ def main(arguments):
     # The rolling map around the vehicle is there after each scan.
     terrain = grid.terrain
     column, row = np.floor((scan.pose[:2, 3] - (terrain.min_x_m, terrain.min_y_m))
-                           / terrain.cell_size_m).astype(int)
+                           / terrain.resolution_m).astype(int)
     print(f"under the sensor the ground is at {terrain.height[row, column]:.2f} m, "
           f"give or take {terrain.standard_deviation[row, column]:.2f} m")
 
     layers = groundgrid.TerrainLayers()
     layers.update(grid, scan.points, scan.pose, result.labels,
                   limits=TraversabilityLimits(max_step_m=0.05))
-    cell_m2 = terrain.cell_size_m**2
+    cell_m2 = terrain.resolution_m**2
     for name in ("YES", "NO"):
         cells = np.count_nonzero(layers.traversability == Traversability[name])
         print(f"{cells * cell_m2:.0f} m2 can{'' if name == 'YES' else 'not'} be driven over")

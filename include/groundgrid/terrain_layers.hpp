@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "groundgrid/export.hpp"
 #include "groundgrid/label.hpp"
@@ -26,7 +26,7 @@ struct GROUNDGRID_EXPORT TraversabilityLimits {
   double overhang_clearance_m = 2.5;   ///< Higher returns above the ground are driven under.
   double min_confidence = 0.05;        ///< Cells of the map with less are not known.
 
-  /// Throws std::invalid_argument that names the field where one is negative or not finite.
+  /// Throws std::invalid_argument that names the field if one is negative or not finite.
   void validate() const;
 };
 
@@ -38,8 +38,8 @@ struct CellLayers {
   float obstacle_height_m;
 };
 
-/// `no` where an obstacle stands or a limit is passed; else `yes` where slope, step and roughness
-/// are known, and `unknown` where they are not.
+/// `no` if an obstacle stands or a limit is passed; else `yes` if slope, step and roughness are
+/// known, and `unknown` if they are not.
 GROUNDGRID_EXPORT Traversability traversability_of(const CellLayers& cell,
                                                    const TraversabilityLimits& limits);
 
@@ -47,71 +47,52 @@ GROUNDGRID_EXPORT Traversability traversability_of(const CellLayers& cell,
 /// a cell can be driven over. One element a cell, row by row, x fastest, as in the TerrainView.
 /// Optional and apart from GroundGrid::process(), which costs no more for it.
 ///
-/// A cell is known where its confidence reaches TraversabilityLimits::min_confidence; only known
+/// A cell is known if its confidence reaches TraversabilityLimits::min_confidence; only known
 /// cells count in any layer of the ground, and only they have one.
 class GROUNDGRID_EXPORT TerrainLayers {
  public:
   /// Planes are fitted to squares of an odd number of cells, whose side is nearest to `window_m`
-  /// and at least three cells. Throws std::invalid_argument where it is not in (0, 100] m.
+  /// and at least three cells. Throws std::invalid_argument if it is not in (0, 100] m.
   explicit TerrainLayers(double window_m = 1.0);
+  ~TerrainLayers();
+  TerrainLayers(TerrainLayers&&) noexcept;
+  TerrainLayers& operator=(TerrainLayers&&) noexcept;
+  TerrainLayers(const TerrainLayers&) = delete;
+  TerrainLayers& operator=(const TerrainLayers&) = delete;
 
-  /// Makes all layers anew. Allocates only where the map has more cells than any before. Obstacles
+  /// Makes all layers anew. Allocates only if the map has more cells than any before. Obstacles
   /// are those of the last scan as TerrainView::statistics has them: of a cell with returns both
   /// below and above the clearance, such as a road under a tree, its obstacle height is NaN, since
-  /// only the other update() knows the points. Throws std::invalid_argument where a limit is wrong
+  /// only the other update() knows the points. Throws std::invalid_argument if a limit is wrong
   /// or a layer of the view has not size × size cells.
   void update(const TerrainView& terrain, const TraversabilityLimits& limits = {});
 
   /// The same with the points of the last scan and what GroundGrid::process() said of them, in its
   /// order; outliers and unknown points are no obstacles. Points are taken at the one pose. Throws
-  /// also where there is not one label a point or a point view has no data.
+  /// also if there is not one label a point or a point view has no data.
   void update(const TerrainView& terrain, std::span<const SensorScan> scans,
               const Eigen::Isometry3d& T_map_base, std::span<const Label> labels,
               const TraversabilityLimits& limits = {});
 
   /// Cells along x and along y; 0 before the first update.
-  [[nodiscard]] int size() const { return size_; }
-  /// Angle of the plane through the window to the horizontal, degrees; NaN where less than half of
+  [[nodiscard]] int size() const;
+  /// Angle of the plane through the window to the horizontal, degrees; NaN if less than half of
   /// the window is known.
-  [[nodiscard]] std::span<const float> slope_deg() const { return slope_deg_; }
+  [[nodiscard]] std::span<const float> slope_deg() const;
   /// Greatest rise from one neighbour to the opposite one, along x, y or a diagonal, beyond the
-  /// slope of the ground on both sides, metres; NaN where no two opposite neighbours are known.
-  [[nodiscard]] std::span<const float> step_m() const { return step_m_; }
+  /// slope of the ground on both sides, metres; NaN if no two opposite neighbours are known.
+  [[nodiscard]] std::span<const float> step_m() const;
   /// Root mean square of the window's heights from its plane, metres; NaN as the slope.
-  [[nodiscard]] std::span<const float> roughness_m() const { return roughness_m_; }
+  [[nodiscard]] std::span<const float> roughness_m() const;
   /// Height above the map of the highest return of the last scan below the clearance, metres; 0
   /// where it is lower than min_obstacle_height_m, NaN where none was below the clearance.
-  [[nodiscard]] std::span<const float> obstacle_height_m() const { return obstacle_height_m_; }
+  [[nodiscard]] std::span<const float> obstacle_height_m() const;
   /// As traversability_of() of each cell.
-  [[nodiscard]] std::span<const Traversability> traversability() const { return traversability_; }
+  [[nodiscard]] std::span<const Traversability> traversability() const;
 
  private:
-  struct GROUNDGRID_NO_EXPORT Plane {
-    double slope_x;
-    double slope_y;
-    double roughness_m;
-  };
-
-  GROUNDGRID_NO_EXPORT void begin(const TerrainView& terrain, const TraversabilityLimits& limits);
-  GROUNDGRID_NO_EXPORT void find_ground_layers(const TerrainView& terrain);
-  GROUNDGRID_NO_EXPORT void find_obstacles(const TerrainView& terrain,
-                                           const TraversabilityLimits& limits);
-  GROUNDGRID_NO_EXPORT void judge(const TraversabilityLimits& limits);
-  [[nodiscard]] GROUNDGRID_NO_EXPORT Plane fit_plane(const TerrainView& terrain, int column,
-                                                     int row) const;
-  [[nodiscard]] GROUNDGRID_NO_EXPORT float height_at(int column, int row) const;
-  [[nodiscard]] GROUNDGRID_NO_EXPORT float step_at(int column, int row, const Plane& plane,
-                                                   double cell_size_m) const;
-
-  double window_m_;
-  int size_ = 0;
-  int reach_ = 1;              // cells of the window on each side of its middle
-  std::vector<float> height_;  // of known cells; NaN
-  std::vector<float> slope_deg_;
-  std::vector<float> step_m_;
-  std::vector<float> roughness_m_;
-  std::vector<float> obstacle_height_m_;
-  std::vector<Traversability> traversability_;
+  class GROUNDGRID_NO_EXPORT Layers;
+  std::unique_ptr<Layers> layers_;
 };
 
 }  // namespace groundgrid

@@ -67,7 +67,7 @@ class TerrainMosaic:
             raise ValueError(f"{self.path}: expected a drive that one raster can hold, got "
                              f"{columns} x {rows} cells: check the poses for one that is far off")
         grid = {"shape": (rows, columns), "corner": self._terrain.corner_m,
-                "cell_size": self._terrain.cell_size_m, "crs": self._crs}
+                "cell_size": self._terrain.resolution_m, "crs": self._crs}
         with open_raster(self.path, bands=BANDS, units=UNITS, **grid) as raster:
             for row in range(down):
                 for column in range(across):

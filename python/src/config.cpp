@@ -108,14 +108,14 @@ void bind_config_class(nb::module_& module) {
       "replace",
       [](const Config& self, const nb::kwargs& values) { return with_values(self, values); },
       nb::sig(replace.c_str()), "A copy with other values.");
-  config.def("to_dict", &values_of, nb::sig("def to_dict(self) -> dict[str, float | str | None]"),
+  config.def("to_dict", &values_of, nb::sig("def to_dict(self) -> dict[str, typing.Any]"),
              "All parameters by name; Config(**values) makes the same configuration of them.");
   config.def("__getstate__", &values_of,
-             nb::sig("def __getstate__(self) -> dict[str, float | str | None]"));
+             nb::sig("def __getstate__(self) -> dict[str, typing.Any]"));
   config.def(
       "__setstate__",
       [](Config& self, const nb::dict& values) { new (&self) Config(with_values({}, values)); },
-      nb::sig("def __setstate__(self, values: dict[str, float | str | None]) -> None"));
+      nb::sig("def __setstate__(self, values: dict[str, typing.Any]) -> None"));
   config.def("__repr__", &repr_of_config);
   config.def(
       "__eq__",

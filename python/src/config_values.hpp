@@ -11,7 +11,7 @@ namespace groundgrid::python {
 
 namespace nb = nanobind;
 
-/// float, int, bool or None.
+/// float, int, str, a tuple of floats or None.
 nb::object value_of(const Config& config, const Parameter& parameter);
 
 /// Sets a field without a look at its range. Throws TypeError, with the name, where the value is of
@@ -22,10 +22,10 @@ void set_value(Config& config, const Parameter& parameter, nb::handle value);
 /// where there is no such name and ValueError where a value is out of range.
 Config with_values(Config config, const nb::dict& values);
 
-/// "float", "float | None", "int", "bool".
+/// "float", "float | None", "int", "str".
 std::string type_name(const Parameter& parameter);
 
-/// ", *, map_extent_m: float = 120.0, ...": all parameters, as a signature in a stub has them.
+/// ", *, method: str = 'standard', ...": all parameters, as a signature in a stub has them.
 /// Without defaults they are "... = ...", for functions that leave alone what is not given.
 std::string keyword_signature(bool with_defaults);
 

@@ -81,7 +81,7 @@ nb::tuple shape_of(SharedTerrain& self) {
 nb::tuple corner_of(SharedTerrain& self) {
   const RasterGrid grid = self.raster();
   return nb::make_tuple(grid.min_x_m,
-                        grid.min_y_m + static_cast<double>(grid.rows) * grid.cell_size_m);
+                        grid.min_y_m + static_cast<double>(grid.rows) * grid.resolution_m);
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ void bind_drive_terrain(nb::module_& module) {
   terrain.def_prop_ro("corner_m", &corner_of, nb::sig("def corner_m(self) -> tuple[float, float]"),
                       "Map frame x and y of the raster's north-western corner, metres.");
   terrain.def_prop_ro(
-      "cell_size_m", [](SharedTerrain& self) { return self.raster().cell_size_m; },
+      "resolution_m", [](SharedTerrain& self) { return self.raster().resolution_m; },
       "Length of a cell's side, metres; 0 where there is no terrain.");
   terrain.def("block", &block_of, nb::arg("column"), nb::arg("row"),
               nb::sig("def block(self, column: int, row: int) -> "

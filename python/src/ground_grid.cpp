@@ -30,10 +30,10 @@ struct ArrayResult {
 ArrayResult process_scans(SharedGrid& self, const std::vector<ScanArguments>& arguments,
                           nb::handle pose, nb::handle pose_begin, nb::handle out) {
   const ScanArrays scans(arguments);
-  const Eigen::Isometry3d end = transform_from(pose, "pose");
   if (pose_begin.is_none() && scans.have_times())
     throw nb::value_error("times: expected together with pose_begin, the pose at their begin");
-  const Poses poses{pose_begin.is_none() ? end : transform_from(pose_begin, "pose_begin"), end};
+  Poses poses{std::nullopt, transform_from(pose, "pose")};
+  if (!pose_begin.is_none()) poses.begin = transform_from(pose_begin, "pose_begin");
   const OutputArrays output(out, scans);
   ScanResult result = self.process(scans, poses, output.spans());
   result.labels = {};
@@ -63,6 +63,15 @@ std::string repr_of_result(const ArrayResult& self) {
          ", unknown=" + std::to_string(self.result.unknown) + ")";
 }
 
+int threads_from(nb::handle value) {
+  int threads = 0;
+  if (PyBool_Check(value.ptr()) || !PyIndex_Check(value.ptr()) ||
+      !nb::try_cast(nb::steal<nb::object>(PyNumber_Index(value.ptr())), threads))
+    throw nb::type_error(
+        (std::string("threads: expected int, got ") + nb::type_name(value.type()).c_str()).c_str());
+  return threads;
+}
+
 template <auto Member>
 auto of_result(const ArrayResult& self) {
   return self.result.*Member;
@@ -85,7 +94,7 @@ void bind_sensor_scan(nb::module_& module) {
 void bind_result(nb::module_& module) {
   nb::class_<ArrayResult>(
       module, "ScanResult",
-      "What process() answers. Element i belongs to input point i; with several sensors the "
+      "The result of process(). Element i belongs to input point i; with several sensors the "
       "points\n"
       "of the first scan come first. `labels, heights = grid.process(points, pose)` unpacks it.")
       .def_ro("labels", &ArrayResult::labels,
@@ -95,13 +104,12 @@ void bind_result(nb::module_& module) {
           "height_above_ground", &ArrayResult::height_above_ground,
           nb::for_getter(
               nb::sig("def height_above_ground(self) -> numpy.typing.NDArray[numpy.float32]")),
-          "N heights in metres above the ground level that the labels were chosen by; NaN where\n"
-          "the label is unknown. float32.")
+          "N heights in metres above the ground at each point, by which its label was chosen: the\n"
+          "mean of the ground returns around; NaN if the label is unknown. float32.")
       .def_prop_ro("ground", &of_result<&ScanResult::ground>, "Number of points on the ground.")
       .def_prop_ro("obstacle", &of_result<&ScanResult::obstacle>, "Number of points above it.")
       .def_prop_ro("outlier", &of_result<&ScanResult::outlier>, "Number of reflections below it.")
-      .def_prop_ro("unknown", &of_result<&ScanResult::unknown>,
-                   "Number of points without an answer.")
+      .def_prop_ro("unknown", &of_result<&ScanResult::unknown>, "Number of points without a label.")
       .def_prop_ro(
           "sensor_height_m", &of_result<&ScanResult::sensor_height_m>,
           "Height of the first sensor above the ground in use, metres; None where none is\n"
@@ -109,8 +117,7 @@ void bind_result(nb::module_& module) {
       .def_prop_ro("sensor_height_estimated", &of_result<&ScanResult::sensor_height_estimated>,
                    "Whether that height was estimated from a scan and not given.")
       .def_prop_ro("map_restarted", &of_result<&ScanResult::map_restarted>,
-                   "Whether the pose jumped by more than Config.pose_jump_m, so that the map was\n"
-                   "started anew.")
+                   "Whether the pose jumped by more than 20 m, so that the map was started anew.")
       .def(
           "__iter__",
           [](const ArrayResult& self) {
@@ -129,16 +136,25 @@ void bind_grid(nb::module_& module) {
       "Frames: base is the vehicle's, on the ground below it, x forward, z up; map has z against\n"
       "gravity. Labels and terrain are the same bits for any number of threads and any order of\n"
       "the points. Other Python threads run while it works; calls of one object take turns.");
-  const std::string init =
-      "def __init__(self, config: Config | None = None" + keyword_signature(false) + ") -> None";
+  const std::string init = "def __init__(self, config: Config | None = None" +
+                           keyword_signature(false) + ", threads: int = 1) -> None";
   grid.def(
       "__init__",
       [](SharedGrid* self, const std::optional<Config>& config, const nb::kwargs& values) {
-        new (self) SharedGrid(with_values(config.value_or(Config{}), values));
+        nb::dict others;
+        int threads = 1;
+        for (const auto& [name, value] : values) {
+          if (nb::cast<std::string>(name) == "threads")
+            threads = threads_from(value);
+          else
+            others[name] = value;
+        }
+        new (self) SharedGrid(with_values(config.value_or(Config{}), others), threads);
       },
       nb::arg("config") = nb::none(), nb::arg("values"), nb::sig(init.c_str()),
-      "With this configuration, the default where it is left out, but for the parameters that are\n"
-      "given by keyword. Raises ValueError, with the name, where one is out of range.");
+      "With this configuration, the default if it is left out, but for the parameters that are\n"
+      "given by keyword. threads: 0 is one per core. Raises ValueError, with the name, if one is\n"
+      "out of range.");
   grid.def(
       "process", &process_scan, nb::arg("points").none(), nb::arg("pose") = nb::none(),
       nb::kw_only(), nb::arg("mounting") = nb::none(), nb::arg("times") = nb::none(),
@@ -155,7 +171,7 @@ void bind_grid(nb::module_& module) {
       "  before; other arrays are copied. NaN, infinite and (0, 0, 0) points become unknown.\n"
       "pose: T_map_base, 4 × 4 or 3 × 4, metres; the identity where it is left out.\n"
       "mounting: T_base_sensor, the same; left out, the points are in base itself and the ground\n"
-      "  lies Config.sensor_height_m below it, or where the first scan shows it.\n"
+      "  lies Config.vehicle.sensor_height_m below it, or where the first scan shows it.\n"
       "times, time_span, pose_begin: for scans that are not motion-corrected, the time of each\n"
       "  point (N, float32, float64 or uint32), those of begin and end of the scan in the same\n"
       "  unit, and the pose at its begin; `pose` is then the one at its end.\n"

@@ -1,4 +1,5 @@
 #include "bindings.hpp"
+#include "groundgrid/version.hpp"
 
 NB_MODULE(_core, module) {
   using namespace groundgrid::python;

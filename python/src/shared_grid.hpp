@@ -2,9 +2,9 @@
 
 #include <nanobind/nanobind.h>
 
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "groundgrid/ground_grid.hpp"
@@ -14,21 +14,22 @@ namespace groundgrid::python {
 
 namespace nb = nanobind;
 
-/// Of the base, at the begin and the end of a scan.
+/// Of the base, at the begin of a scan, if it is to be deskewed, and at its end.
 struct Poses {
-  Eigen::Isometry3d begin;
-  Eigen::Isometry3d end;
+  std::optional<RigidTransform> begin;
+  RigidTransform end;
 };
 
 /// One map, whose callers take turns: Python's threads run while it works.
 class SharedGrid {
  public:
-  explicit SharedGrid(const Config& config) : grid_(config) {}
+  SharedGrid(const Config& config, int threads) : grid_(config, threads) {}
 
   ScanResult process(const ScanArrays& scans, const Poses& poses, const ScanOutput& output) {
     const nb::gil_scoped_release no_gil;
     const std::lock_guard turn(mutex_);
-    return grid_.process(scans.views(copies_), poses.begin, poses.end, output);
+    const std::vector<SensorScan> views = scans.views(copies_);
+    return grid_.process({views, poses.end, poses.begin, output});
   }
 
   /// What `read` makes of the map as it stands; it runs without the GIL.

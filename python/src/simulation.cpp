@@ -198,7 +198,7 @@ void bind_true_terrain(nb::module_& module) {
       "What is true of the ground up to 80 m around a drive, in square cells. Layers are indexed\n"
       "[row, column]: rows along y, columns along x of the drive's map frame.")
       .def_prop_ro(
-          "cell_size_m", [](const TrueTerrain& self) { return self.grid.cell_size_m; },
+          "resolution_m", [](const TrueTerrain& self) { return self.grid.resolution_m; },
           "Length of a cell's side, metres.")
       .def_prop_ro(
           "min_x_m", [](const TrueTerrain& self) { return self.grid.min_x_m; },

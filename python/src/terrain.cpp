@@ -17,17 +17,17 @@ std::vector<double> middles(int cells, double min, double cell_size) {
 }
 
 nb::object x_of(const Terrain& terrain) {
-  return to_array(middles(terrain.size, terrain.min_x_m, terrain.cell_size_m),
+  return to_array(middles(terrain.size, terrain.min_x_m, terrain.resolution_m),
                   {static_cast<std::size_t>(terrain.size)});
 }
 
 nb::object y_of(const Terrain& terrain) {
-  return to_array(middles(terrain.size, terrain.min_y_m, terrain.cell_size_m),
+  return to_array(middles(terrain.size, terrain.min_y_m, terrain.resolution_m),
                   {static_cast<std::size_t>(terrain.size)});
 }
 
 nb::tuple extent_of(const Terrain& terrain) {
-  const double side = terrain.size * terrain.cell_size_m;
+  const double side = terrain.size * terrain.resolution_m;
   return nb::make_tuple(terrain.min_x_m, terrain.min_x_m + side, terrain.min_y_m,
                         terrain.min_y_m + side);
 }
@@ -36,7 +36,7 @@ nb::tuple extent_of(const Terrain& terrain) {
 
 TerrainCopy::TerrainCopy(const TerrainView& view, std::span<const float> standard_deviation_m)
     : size(view.size),
-      cell_size_m(view.cell_size_m),
+      resolution_m(view.resolution_m),
       min_x_m(view.min_x_m),
       min_y_m(view.min_y_m),
       standard_deviation(standard_deviation_m.begin(), standard_deviation_m.end()),
@@ -60,7 +60,7 @@ TerrainCopy::TerrainCopy(const TerrainView& view, std::span<const float> standar
 
 Terrain::Terrain(TerrainCopy layers)
     : size(layers.size),
-      cell_size_m(layers.cell_size_m),
+      resolution_m(layers.resolution_m),
       min_x_m(layers.min_x_m),
       min_y_m(layers.min_y_m) {
   const auto side = static_cast<std::size_t>(size);
@@ -80,7 +80,7 @@ void bind_terrain(nb::module_& module) {
       "of each. Layers have the shape (size, size) and are indexed [row, column]: rows along y,\n"
       "columns along x. They are copies, which no later scan changes. Size 0 before the first.")
       .def_ro("size", &Terrain::size, "Cells along x and along y.")
-      .def_ro("cell_size_m", &Terrain::cell_size_m, "Length of a cell's side, metres.")
+      .def_ro("resolution_m", &Terrain::resolution_m, "Length of a cell's side, metres.")
       .def_ro("min_x_m", &Terrain::min_x_m, "Map frame x of the outer edge of column 0, metres.")
       .def_ro("min_y_m", &Terrain::min_y_m, "Map frame y of the outer edge of row 0, metres.")
       .def_prop_ro("x_m", &x_of, nb::sig("def x_m(self) -> numpy.typing.NDArray[numpy.float64]"),

@@ -18,7 +18,7 @@ struct TerrainCopy {
   TerrainCopy(const TerrainView& view, std::span<const float> standard_deviation_m);
 
   int size;
-  double cell_size_m;
+  double resolution_m;
   double min_x_m;
   double min_y_m;
   std::vector<double> height;
@@ -35,7 +35,7 @@ struct Terrain {
   explicit Terrain(TerrainCopy layers);
 
   int size;
-  double cell_size_m;
+  double resolution_m;
   double min_x_m;
   double min_y_m;
   nb::object height;

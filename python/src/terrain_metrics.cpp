@@ -20,16 +20,16 @@ namespace {
 using evaluation::CellLattice;
 using evaluation::LatticePoint;
 
-CellLattice lattice_of(const PackedArray& layer, double cell_size_m) {
+CellLattice lattice_of(const PackedArray& layer, double resolution_m) {
   constexpr std::size_t most = std::numeric_limits<int>::max();
   if (layer.dimensions() != 2 || layer.length(0) > most || layer.length(1) > most)
     throw nb::value_error((std::string("estimated: expected rows × columns heights, got ") +
                            description_of(layer.array()).c_str())
                               .c_str());
-  if (!(cell_size_m > 0.0) || cell_size_m > 1e6)
-    throw nb::value_error("cell_size_m: expected metres, more than 0 and at most 1000000");
-  return {static_cast<int>(layer.length(1)), static_cast<int>(layer.length(0)), cell_size_m,
-          cell_size_m};
+  if (!(resolution_m > 0.0) || resolution_m > 1e6)
+    throw nb::value_error("resolution_m: expected metres, more than 0 and at most 1000000");
+  return {static_cast<int>(layer.length(1)), static_cast<int>(layer.length(0)), resolution_m,
+          resolution_m};
 }
 
 void require_shape(const PackedArray& layer, const char* name, const CellLattice& lattice) {
@@ -69,12 +69,12 @@ std::vector<float> distances_from(nb::handle path, const std::pair<double, doubl
   return distances;
 }
 
-nb::object compare(nb::handle estimated, nb::handle reference, double cell_size_m,
+nb::object compare(nb::handle estimated, nb::handle reference, double resolution_m,
                    nb::handle density, nb::handle standard_deviation, nb::handle count,
                    nb::handle path, const std::pair<double, double>& corner_m,
                    const nb::dict& masks, bool solve_offset) {
   const PackedArray estimate = PackedArray::floats(estimated, "estimated");
-  const CellLattice lattice = lattice_of(estimate, cell_size_m);
+  const CellLattice lattice = lattice_of(estimate, resolution_m);
   const PackedArray truth = PackedArray::floats(reference, "reference");
   require_shape(truth, "reference", lattice);
   const auto densities = layer_if_given(density, "density", lattice);
@@ -108,12 +108,12 @@ nb::object compare(nb::handle estimated, nb::handle reference, double cell_size_
 void bind_terrain_metrics(nb::module_& module) {
   module.def(
       "compare_terrain", &compare, nb::arg("estimated").none(), nb::arg("reference").none(),
-      nb::arg("cell_size_m"), nb::kw_only(), nb::arg("density") = nb::none(),
+      nb::arg("resolution_m"), nb::kw_only(), nb::arg("density") = nb::none(),
       nb::arg("standard_deviation") = nb::none(), nb::arg("count") = nb::none(),
       nb::arg("path") = nb::none(), nb::arg("corner_m") = std::pair<double, double>{0.0, 0.0},
       nb::arg("masks") = nb::dict(), nb::arg("solve_offset") = false,
       nb::sig("def compare_terrain(estimated: numpy.typing.ArrayLike, reference: "
-              "numpy.typing.ArrayLike, cell_size_m: float, *, density: numpy.typing.ArrayLike | "
+              "numpy.typing.ArrayLike, resolution_m: float, *, density: numpy.typing.ArrayLike | "
               "None = None, standard_deviation: numpy.typing.ArrayLike | None = None, count: "
               "numpy.typing.ArrayLike | None = None, path: numpy.typing.ArrayLike | None = None, "
               "corner_m: tuple[float, float] = (0.0, 0.0), "

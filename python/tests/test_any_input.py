@@ -15,7 +15,7 @@ ANY_SPEED = settings(
     max_examples=150,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
 )
-SMALL = {"map_extent_m": 20.0, "cell_size_m": 0.5, "sensor_height_m": 1.5}
+SMALL = {"extent_m": 20.0, "resolution_m": 0.5, "sensor_height_m": 1.5}
 
 any_dtype = st.one_of(
     arrays.floating_dtypes(),
@@ -104,19 +104,26 @@ def test_any_value_of_a_parameter_is_taken_or_refused(values):
 def test_any_valid_configuration_works(data):
     values = {}
     for parameter in groundgrid.parameters():
-        if parameter.name in ("map_extent_m", "cell_size_m", "threads"):
+        if parameter.name in ("extent_m", "resolution_m"):
             continue
         if parameter.stage == "paper" and values["method"] != "paper":
             continue
         if parameter.name == "method":
             values["method"] = data.draw(st.sampled_from(["standard", "paper", "reference"]))
+        elif parameter.name == "ego_vehicle_box_m":
+            sides = [sorted(data.draw(st.tuples(st.floats(-99, 0), st.floats(1, 99))))
+                     for _ in range(3)]
+            values[parameter.name] = tuple(number for side in sides for number in side)
+        elif parameter.name == "anchor_m":
+            values[parameter.name] = data.draw(st.tuples(st.floats(-1e8, 1e8),
+                                                         st.floats(-1e8, 1e8)))
         elif isinstance(parameter.default, int):
             values[parameter.name] = data.draw(st.integers(int(parameter.min), int(parameter.max)))
         else:
             values[parameter.name] = data.draw(st.floats(parameter.min, parameter.max))
     if values["method"] == "paper":
         values["max_step_m"] = 0.0  # the paper knows no steps
-    grid = GroundGrid(map_extent_m=20.0, cell_size_m=0.5, **values)
+    grid = GroundGrid(extent_m=20.0, resolution_m=0.5, **values)
     points = np.random.default_rng(0).uniform(-9, 9, (500, 3)).astype(np.float32)
     assert len(grid.process(points).labels) == 500
     assert grid.terrain.height.shape == (grid.terrain.size,) * 2
@@ -133,8 +140,8 @@ def test_any_labels_are_scored_or_refused(points, truth, predicted, heights):
 
 @ANY_SPEED
 @given(any_object, any_object, st.floats(), any_object, any_object)
-def test_any_terrains_are_compared_or_refused(estimated, reference, cell_size_m, density, path):
+def test_any_terrains_are_compared_or_refused(estimated, reference, resolution_m, density, path):
     try:
-        compare_terrain(estimated, reference, cell_size_m, density=density, path=path)
+        compare_terrain(estimated, reference, resolution_m, density=density, path=path)
     except ERRORS as error:
         assert str(error)

@@ -11,27 +11,34 @@ from groundgrid import Config
 
 def test_every_parameter_is_a_keyword_and_an_attribute():
     parameters = groundgrid.parameters()
-    assert len(parameters) > 20
+    assert len(parameters) == 20
     for parameter in parameters:
         assert getattr(Config(), parameter.name) == parameter.default
-        value = parameter.default if parameter.default is not None else 1.0
+        lists = {"anchor_m": (1.0, 2.0), "ego_vehicle_box_m": (-1.0, 1.0, -2.0, 2.0, -3.0, 3.0)}
+        value = parameter.default if parameter.default is not None else lists.get(
+            parameter.name, 1.0)
         assert getattr(Config(**{parameter.name: value}), parameter.name) == value
 
 
 def test_parameters_tell_unit_range_and_symbol():
-    cell = {parameter.name: parameter for parameter in groundgrid.parameters()}["cell_size_m"]
+    cell = {parameter.name: parameter for parameter in groundgrid.parameters()}["resolution_m"]
     assert (cell.default, cell.unit, cell.min, cell.max) == (0.33, "m", 0.02, 10.0)
     assert (cell.symbol, cell.stage, cell.text) == ("R", "map", "Side of a cell.")
-    assert repr(cell) == "Parameter(cell_size_m: Side of a cell. (paper: R, m))"
+    assert repr(cell) == "Parameter(resolution_m: Side of a cell. (paper: R, m))"
 
 
 def test_attributes_can_be_set():
     config = Config()
-    config.cell_size_m = 0.5
+    config.resolution_m = 0.5
     config.sensor_height_m = np.float32(1.5)
     config.method = "paper"
-    config.threads = np.int64(2)
-    assert config == Config(cell_size_m=0.5, sensor_height_m=1.5, method="paper", threads=2)
+    config.own_variance_min_points = np.int64(7)
+    config.anchor_m = (1.0, 2)
+    config.ego_vehicle_box_m = np.array([-1.0, 3.0, -1.0, 1.0, -2.0, 0.5])
+    assert config.ego_vehicle_box_m == (-1.0, 3.0, -1.0, 1.0, -2.0, 0.5)
+    assert config == Config(resolution_m=0.5, sensor_height_m=1.5, method="paper",
+                            own_variance_min_points=7, anchor_m=[1.0, 2.0],
+                            ego_vehicle_box_m=(-1.0, 3.0, -1.0, 1.0, -2.0, 0.5))
     config.sensor_height_m = None
     assert config.sensor_height_m is None
 
@@ -40,19 +47,24 @@ def test_attributes_can_be_set():
     ("values", "error", "words"),
     [
         ({"cell_size": 0.5}, TypeError, "unknown parameter 'cell_size'"),
-        ({"cell_size_m": 20}, ValueError, "cell_size_m = 20: must be between 0.02 and 10"),
-        ({"cell_size_m": math.nan}, ValueError, "cell_size_m = nan"),
-        ({"cell_size_m": math.inf}, ValueError, "cell_size_m = inf"),
-        ({"cell_size_m": "wide"}, TypeError, "cell_size_m: expected float, got str"),
-        ({"cell_size_m": True}, TypeError, "cell_size_m: expected float, got bool"),
-        ({"cell_size_m": None}, TypeError, "cell_size_m: expected float, got NoneType"),
+        ({"resolution_m": 20}, ValueError, "resolution_m = 20: must be between 0.02 and 10"),
+        ({"resolution_m": math.nan}, ValueError, "resolution_m = nan"),
+        ({"resolution_m": math.inf}, ValueError, "resolution_m = inf"),
+        ({"resolution_m": "wide"}, TypeError, "resolution_m: expected float, got str"),
+        ({"resolution_m": True}, TypeError, "resolution_m: expected float, got bool"),
+        ({"resolution_m": None}, TypeError, "resolution_m: expected float, got NoneType"),
         ({"sensor_height_m": "low"}, TypeError, r"sensor_height_m: expected float \| None"),
-        ({"threads": 1.5}, TypeError, "threads: expected int, got float"),
-        ({"threads": -1}, ValueError, "threads = -1"),
-        ({"threads": 2**40}, ValueError, "threads = 1099511627776"),
+        ({"own_variance_min_points": 1.5}, TypeError, "points: expected int, got float"),
+        ({"own_variance_min_points": -1}, ValueError, "own_variance_min_points = -1"),
+        ({"own_variance_min_points": 2**40}, ValueError, "points = 1099511627776"),
+        ({"anchor_m": 1.0}, TypeError, r"anchor_m: expected tuple\[float, float\] \| None"),
+        ({"anchor_m": (1.0,)}, TypeError, "anchor_m: expected tuple"),
+        ({"anchor_m": (1.0, math.nan)}, ValueError, "anchor_m = nan"),
+        ({"ego_vehicle_box_m": (1, -1, -1, 1, -1, 1)}, ValueError, "below the greatest"),
+        ({"cell_size_m": 0.5}, TypeError, "'cell_size_m': it is resolution_m now"),
         ({"method": 1}, TypeError, "method: expected str, got int"),
         ({"method": "ours"}, ValueError, "method = ours: must be standard, paper or reference"),
-        ({"map_extent_m": 2000, "cell_size_m": 0.02}, ValueError, "9 to 4096 cells"),
+        ({"extent_m": 2000, "resolution_m": 0.02}, ValueError, "9 to 4096 cells"),
     ],
 )
 def test_bad_values_are_refused_by_name(values, error, words):
@@ -66,15 +78,15 @@ def test_bad_values_are_refused_by_name(values, error, words):
 
 def test_a_refused_attribute_changes_nothing():
     config = Config()
-    with pytest.raises(ValueError, match="cell_size_m"):
-        config.cell_size_m = -1
+    with pytest.raises(ValueError, match="resolution_m"):
+        config.resolution_m = -1
     assert config == Config()
 
 
 def test_values_that_only_go_together_can_be_given_together():
-    assert Config().replace(map_extent_m=2000.0, cell_size_m=1.0).map_extent_m == 2000.0
+    assert Config().replace(extent_m=2000.0, resolution_m=1.0).extent_m == 2000.0
     with pytest.raises(ValueError, match="9 to 4096 cells"):
-        Config().replace(map_extent_m=2000.0)
+        Config().replace(extent_m=2000.0)
 
 
 def test_presets():
@@ -86,12 +98,12 @@ def test_presets():
 
 
 def test_pickles_and_copies():
-    config = Config.paper().replace(sensor_height_m=1.73, threads=3)
+    config = Config.paper().replace(sensor_height_m=1.73, anchor_m=(0.0, 3.0))
     for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
         assert pickle.loads(pickle.dumps(config, protocol)) == config
     assert copy.copy(config) == config
     deep = copy.deepcopy(config)
-    deep.threads = 1
+    deep.anchor_m = None
     assert deep != config
     assert Config(**config.to_dict()) == config
 
@@ -100,8 +112,8 @@ def test_equality_repr_and_hash():
     assert Config() != 3
     assert Config() != None  # noqa: E711
     assert repr(Config()) == "Config()"
-    assert repr(Config(cell_size_m=0.5, method="paper")) == (
-        "Config(method='paper', cell_size_m=0.5)"
+    assert repr(Config(resolution_m=0.5, method="paper")) == (
+        "Config(method='paper', resolution_m=0.5)"
     )
     with pytest.raises(TypeError, match="unhashable"):
         hash(Config())
@@ -109,8 +121,8 @@ def test_equality_repr_and_hash():
 
 def test_reads_parameter_files(tmp_path):
     file = tmp_path / "parameters.toml"
-    file.write_text('cell_size_m = 0.5 # wide\nsensor_height_m = 1.73\nmethod = "paper"\n')
-    expected = {"cell_size_m": 0.5, "sensor_height_m": 1.73, "method": "paper"}
+    file.write_text('resolution_m = 0.5 # wide\nsensor_height_m = 1.73\nmethod = "paper"\n')
+    expected = {"resolution_m": 0.5, "sensor_height_m": 1.73, "method": "paper"}
     assert Config.from_toml(file) == Config(**expected)
     assert Config.from_toml(str(file), preset="paper") == Config.paper().replace(**expected)
 
@@ -118,10 +130,10 @@ def test_reads_parameter_files(tmp_path):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("cell_size_m = 20", "line 1: cell_size_m = 20: must be between"),
+        ("resolution_m = 20", "line 1: resolution_m = 20: must be between"),
         ("\ncell_size = 0.5", "line 2: unknown parameter 'cell_size'"),
-        ("threads = 1\nthreads = 1", "line 2: threads is given for the second time"),
-        ("cell_size_m = [1]", "line 1: cell_size_m: expected one number"),
+        ("min_range_m = 1\nmin_range_m = 1", "line 2: min_range_m is given for the second time"),
+        ("resolution_m = [1]", r"line 1: resolution_m = \[1\]: not a number"),
     ],
 )
 def test_bad_parameter_files_are_refused_with_the_line(tmp_path, text, words):

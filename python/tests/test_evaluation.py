@@ -130,8 +130,8 @@ def test_the_path_may_be_in_the_terrains_frame():
     [
         ((np.zeros(4), np.zeros(4), 1.0), {}, ValueError, "estimated: expected rows × columns"),
         ((np.zeros((2, 2)), np.zeros((2, 3)), 1.0), {}, ValueError, "reference: expected the shape"),
-        ((np.zeros((2, 2)), np.zeros((2, 2)), 0.0), {}, ValueError, "cell_size_m"),
-        ((np.zeros((2, 2)), np.zeros((2, 2)), float("nan")), {}, ValueError, "cell_size_m"),
+        ((np.zeros((2, 2)), np.zeros((2, 2)), 0.0), {}, ValueError, "resolution_m"),
+        ((np.zeros((2, 2)), np.zeros((2, 2)), float("nan")), {}, ValueError, "resolution_m"),
         ((None, np.zeros((2, 2)), 1.0), {}, TypeError, "estimated"),
         (
             (np.zeros((2, 2)), np.zeros((2, 2)), 1.0),

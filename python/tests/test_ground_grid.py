@@ -61,11 +61,11 @@ def test_estimates_the_height_of_the_sensor(plane):
 
 
 def test_config_of_a_grid_is_a_copy():
-    grid = GroundGrid(Config.paper(), threads=2)
+    grid = GroundGrid(Config.paper(), min_range_m=2.0, threads=2)
     config = grid.config
-    assert config == Config.paper().replace(threads=2)
-    config.threads = 5
-    assert grid.config.threads == 2
+    assert config == Config.paper().replace(min_range_m=2.0)
+    config.min_range_m = 5.0
+    assert grid.config.min_range_m == 2.0
     with pytest.raises(AttributeError):
         grid.config = config
 

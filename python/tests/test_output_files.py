@@ -58,7 +58,7 @@ def test_labels_are_numbers_of_32_bits(tmp_path):
 
 def test_the_terrain_of_a_drive_comes_block_by_block(tmp_path, drive):
     terrain = _core.DriveTerrain(tmp_path / "terrain.tif")
-    assert terrain.empty and terrain.shape == (0, 0) and terrain.cell_size_m == 0
+    assert terrain.empty and terrain.shape == (0, 0) and terrain.resolution_m == 0
     with pytest.raises(IndexError, match="block: outside"):
         terrain.block(0, 0)
     grid = groundgrid.GroundGrid()
@@ -79,7 +79,7 @@ def test_the_terrain_of_a_drive_comes_block_by_block(tmp_path, drive):
         with pytest.raises(IndexError):
             terrain.block(*wrong)
     with pytest.raises(ValueError, match="cell"):
-        other = groundgrid.GroundGrid(cell_size_m=0.5)
+        other = groundgrid.GroundGrid(resolution_m=0.5)
         other.process(drive[0].points)
         terrain.add(other)
     assert not list(tmp_path.iterdir())

@@ -253,10 +253,10 @@ def test_a_run_that_fails_leaves_whole_files_and_no_record(folder, recording, tm
         (["--terrain", "--crs", "nowhere"], "crs: expected one that PROJ knows"),
         (["--topic", "/points"], "expected options that this kind of input has, got --topic"),
         (["--poses", "nothing.txt"], "nothing.txt"),
-        (["--set", "cell_size_m"], "--set: expected NAME=VALUE"),
+        (["--set", "resolution_m"], "--set: expected NAME=VALUE"),
         (["--set", "cell_sze_m=1"], "--set: expected NAME=VALUE"),
-        (["--set", "cell_size_m=-1"], "cell_size_m"),
-        (["--set", "threads=many"], "--set: "),
+        (["--set", "resolution_m=-1"], "resolution_m"),
+        (["--set", "min_range_m=many"], "--set: "),
         (["--calibration", "calib.txt"], "got --calibration"),
         (["--config", "nothing.toml"], "nothing.toml"),
     ],
@@ -351,11 +351,11 @@ def test_names_may_be_any_bytes(scan, tmp_path):
 
 
 def test_parameters_reach_the_method(folder, tmp_path):
-    flags = ["--preset", "paper", "--set", "cell_size_m=0.5", "--threads", "2", "--scans", "1",
+    flags = ["--preset", "paper", "--set", "resolution_m=0.5", "--threads", "2", "--scans", "1",
              "--sensor-height-m", "1.7"]
     assert main(["run", str(folder), "--output", str(tmp_path), *flags]) == 0
     record = json.loads((tmp_path / "run.json").read_text())
-    expected = groundgrid.Config.paper().replace(cell_size_m=0.5, threads=2, sensor_height_m=1.7)
+    expected = groundgrid.Config.paper().replace(resolution_m=0.5, sensor_height_m=1.7)
     assert record["config"] == expected.to_dict() and record["scans"] == 1
     assert names_in(tmp_path) == ["0.label", "run.json"]
 

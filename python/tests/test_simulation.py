@@ -49,8 +49,8 @@ def test_terrain_is_that_below_the_scans(drive, scan):
     assert terrain.height.shape == terrain.vegetation.shape == terrain.kerbs.shape
     road = scan.points[scan.labels & 0xFFFF == 40].astype(np.float64)
     place = road[:, :3] @ scan.pose[:3, :3].T + scan.pose[:3, 3]
-    column = ((place[:, 0] - terrain.min_x_m) / terrain.cell_size_m).astype(int)
-    row = ((place[:, 1] - terrain.min_y_m) / terrain.cell_size_m).astype(int)
+    column = ((place[:, 0] - terrain.min_x_m) / terrain.resolution_m).astype(int)
+    row = ((place[:, 1] - terrain.min_y_m) / terrain.resolution_m).astype(int)
     assert np.median(np.abs(terrain.height[row, column] - place[:, 2])) < 0.05
     assert set(np.unique(terrain.kerbs)) == {0, 1}
 

@@ -16,8 +16,8 @@ import numpy.typing as npt
 import groundgrid
 from groundgrid import Config, GroundGrid, Label
 
-config: Config = Config(cell_size_m=0.5, sensor_height_m=None, threads=2).replace(threads=1)
-grid = GroundGrid(config, method="paper")
+config: Config = Config(resolution_m=0.5, sensor_height_m=None).replace(min_range_m=1.0)
+grid = GroundGrid(config, method="paper", threads=2)
 result = grid.process(np.zeros((3, 3), np.float32), np.eye(4))
 labels: npt.NDArray[np.uint8] = result.labels
 heights: npt.NDArray[np.float64] = grid.terrain.height
@@ -27,9 +27,9 @@ for scan in groundgrid.simulation.Drive("urban", scans=2):
     points: npt.NDArray[np.float32] = scan.points
 """
 WRONG = {
-    'Config(cell_size_m="wide")': "arg-type",
+    'Config(resolution_m="wide")': "arg-type",
     "Config(cell_size=0.5)": "call-arg",
-    "Config().threads.real.no": "attr-defined",
+    "Config().own_variance_min_points.real.no": "attr-defined",
     "GroundGrid(threads=None)": "arg-type",
     "GroundGrid().process()": "call-arg",
     "Config().cell_sze_m = 0.5": "attr-defined",

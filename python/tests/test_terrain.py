@@ -7,7 +7,7 @@ from groundgrid import GroundGrid
 
 
 def test_terrain_has_layers_with_their_geometry(plane):
-    grid = GroundGrid(sensor_height_m=1.5, map_extent_m=30.0, cell_size_m=0.5)
+    grid = GroundGrid(sensor_height_m=1.5, extent_m=30.0, resolution_m=0.5)
     assert grid.terrain.size == 0 and grid.terrain.height.shape == (0, 0)
     grid.process(plane, translation(x=100.0, y=-50.0, z=7.0))
     terrain = grid.terrain
@@ -22,7 +22,7 @@ def test_terrain_has_layers_with_their_geometry(plane):
         (terrain.points, np.uint32),
     ]:
         assert layer.shape == shape and layer.dtype == dtype
-    assert terrain.cell_size_m == 0.5
+    assert terrain.resolution_m == 0.5
     assert terrain.points.sum() == len(plane)
     assert terrain.extent_m == (
         terrain.min_x_m,

@@ -22,8 +22,8 @@ def mapped(points):
 
 def near(grid, x, y):
     terrain = grid.terrain
-    return (int((y - terrain.min_y_m) / terrain.cell_size_m),
-            int((x - terrain.min_x_m) / terrain.cell_size_m))
+    return (int((y - terrain.min_y_m) / terrain.resolution_m),
+            int((x - terrain.min_x_m) / terrain.resolution_m))
 
 
 def test_a_slope_shows_as_its_angle():

@@ -50,7 +50,7 @@ def test_the_mesh_lies_on_the_terrain(grid):
     # Triangles are half a cell each, counter-clockwise from above.
     a, b, c = (mesh.vertices[mesh.triangles[:, i]] for i in range(3))
     area = np.cross(b - a, c - a)[:, 2] / 2
-    np.testing.assert_allclose(area, terrain.cell_size_m**2 / 2, rtol=1e-3)
+    np.testing.assert_allclose(area, terrain.resolution_m**2 / 2, rtol=1e-3)
     # The plane is 20 m wide, one metre further to the left by the origin.
     assert -11.2 < mesh.vertices[:, 0].min() < -10.3 and 8.3 < mesh.vertices[:, 0].max() < 9.2
     np.testing.assert_allclose(mesh.normals[:, 2], 1, atol=0.02)

@@ -1,6 +1,5 @@
 #include "groundgrid/config.hpp"
 
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -10,25 +9,41 @@
 namespace groundgrid {
 namespace {
 
-std::optional<double> value_of(const Config& config, const Parameter& parameter) {
-  if (const auto* number = std::get_if<double Config::*>(&parameter.member))
-    return config.*(*number);
-  if (const auto* optional = std::get_if<std::optional<double> Config::*>(&parameter.member))
-    return config.*(*optional);
-  if (const auto* whole = std::get_if<int Config::*>(&parameter.member))
-    return static_cast<double>(config.*(*whole));
-  return std::nullopt;
+void check_ranges(const Config& config) {
+  for (const Parameter& parameter : parameters()) {
+    for (const double number : numbers_of(config, parameter)) {
+      if (number >= parameter.min && number <= parameter.max) continue;
+      std::ostringstream message;
+      message << parameter.name << " = " << number << ": must be between " << parameter.min
+              << " and " << parameter.max;
+      throw std::invalid_argument(message.str());
+    }
+  }
 }
 
 /// A value that the chosen method ignores is a mistake of whoever set it.
 void check_method(const Config& config) {
-  if (config.method == Method::paper) return;
+  if (config.method == Method::paper) {
+    if (config.labels.max_step_m > 0.0)
+      throw std::invalid_argument(
+          "max_step_m: the paper's method knows no steps; leave it at 0, or set method = standard");
+    return;
+  }
   static const Config defaults;
   for (const Parameter& parameter : parameters())
-    if (parameter.group == "paper" && value_of(config, parameter) != value_of(defaults, parameter))
+    if (parameter.group == "paper" &&
+        numbers_of(config, parameter) != numbers_of(defaults, parameter))
       throw std::invalid_argument(std::string(parameter.name) +
                                   ": only the paper's method has it; set method = paper, or leave "
                                   "it at its default");
+}
+
+void check_box(const std::optional<Box>& box) {
+  for (std::size_t axis = 0; box && axis < 3; ++axis)
+    if (!((*box)[2 * axis] < (*box)[2 * axis + 1]))
+      throw std::invalid_argument(
+          "ego_vehicle_box_m: each least value must be below the greatest: min x, max x, min y, "
+          "max y, min z, max z");
 }
 
 }  // namespace
@@ -37,27 +52,18 @@ Config Config::paper() {
   Config config;
   config.method = Method::paper;
   // The rest of section IV-A is in the fields that our method shares or does not have.
-  config.ground_threshold_m = 0.3;
+  config.labels.ground_threshold_m = 0.3;
   return config;
 }
 
 void Config::validate() const {
-  for (const Parameter& parameter : parameters()) {
-    const std::optional<double> value = value_of(*this, parameter);
-    if (!value || (*value >= parameter.min && *value <= parameter.max)) continue;
-    std::ostringstream message;
-    message << parameter.name << " = " << *value << ": must be between " << parameter.min << " and "
-            << parameter.max;
-    throw std::invalid_argument(message.str());
-  }
+  check_ranges(*this);
   check_method(*this);
-  if (method == Method::paper && max_step_m > 0.0)
+  check_box(vehicle.ego_vehicle_box_m);
+  if (map.extent_m / map.resolution_m > 4096.0 || map.extent_m < 9.0 * map.resolution_m)
     throw std::invalid_argument(
-        "max_step_m: the paper's method knows no steps; leave it at 0, or set method = standard");
-  if (map_extent_m / cell_size_m > 4096.0 || map_extent_m < 9.0 * cell_size_m)
-    throw std::invalid_argument(
-        "map_extent_m: the map must be 9 to 4096 cells wide (a cell takes some 130 bytes); choose "
-        "another cell_size_m");
+        "extent_m: the map must be 9 to 4096 cells wide (a cell takes some 130 bytes); choose "
+        "another resolution_m");
 }
 
 }  // namespace groundgrid

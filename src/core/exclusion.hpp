@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 
 #include "core/point_transform.hpp"
@@ -8,24 +9,24 @@
 
 namespace groundgrid {
 
-/// Points that are never taken: on the own vehicle, too near to the sensor, or at its very origin,
+/// Points that are never taken: on the ego vehicle, too near to the sensor, or at its very origin,
 /// which is how drivers and organised clouds write a ray without a return.
 struct Exclusion {
-  float min[3];
-  float max[3];
+  float min[3]{};
+  float max[3]{};
   float min_range_squared;
   bool has_box;
 
-  explicit Exclusion(const Config& config)
-      : min{static_cast<float>(config.own_vehicle_min_x_m),
-            static_cast<float>(config.own_vehicle_min_y_m),
-            static_cast<float>(config.own_vehicle_min_z_m)},
-        max{static_cast<float>(config.own_vehicle_max_x_m),
-            static_cast<float>(config.own_vehicle_max_y_m),
-            static_cast<float>(config.own_vehicle_max_z_m)},
-        min_range_squared(std::max(static_cast<float>(config.min_range_m * config.min_range_m),
+  explicit Exclusion(const Config::Vehicle& vehicle)
+      : min_range_squared(std::max(static_cast<float>(vehicle.min_range_m * vehicle.min_range_m),
                                    std::numeric_limits<float>::min())),
-        has_box(min[0] < max[0] && min[1] < max[1] && min[2] < max[2]) {}
+        has_box(vehicle.ego_vehicle_box_m.has_value()) {
+    const Box box = vehicle.ego_vehicle_box_m.value_or(Box{});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      min[axis] = static_cast<float>(box[2 * axis]);
+      max[axis] = static_cast<float>(box[2 * axis + 1]);
+    }
+  }
 
   [[nodiscard]] bool is_in_box(const Point3f& in_sensor,
                                const PointTransform& T_base_sensor) const {

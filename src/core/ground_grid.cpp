@@ -51,8 +51,7 @@ class GroundGrid::Pipeline {
         standard_(map_, runner_),
         is_known_(map_.cells()) {}
 
-  ScanResult process(std::span<const SensorScan> scans, const Motion& motion,
-                     const ScanOutput* output);
+  ScanResult process(const ScanRequest& request);
 
   void reset() {
     map_.reset();
@@ -83,8 +82,8 @@ class GroundGrid::Pipeline {
   bool place_map(const Eigen::Isometry3d& T_map_base);
   void place_sensors(std::span<const SensorScan> scans, const Motion& motion);
   [[nodiscard]] Eigen::Isometry3d to_window(const Eigen::Isometry3d& T_map_base) const;
-  void choose_output(std::size_t points, const ScanOutput* output);
-  LabelCounts run_method();
+  void choose_output(std::size_t points, const std::optional<ScanOutput>& output);
+  std::optional<LabelCounts> run_method();
   [[nodiscard]] LocalPlane plane_in_window() const;
 
   Config config_;
@@ -111,14 +110,18 @@ class GroundGrid::Pipeline {
   bool half_done_ = false;  // true for good where an executor threw
 };
 
-ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, const Motion& motion,
-                                         const ScanOutput* output) {
+ScanResult GroundGrid::Pipeline::process(const ScanRequest& request) {
   if (half_done_)
     throw std::logic_error("GroundGrid: an earlier scan failed half-way; make a new object");
-  check_input(scans, motion, config_);
+  const std::span<const SensorScan> scans = request.scans;
+  const Eigen::Isometry3d end = request.T_map_base.isometry();
+  const Eigen::Isometry3d begin =
+      request.T_map_base_begin ? request.T_map_base_begin->isometry() : end;
+  const Motion motion{begin, end, request.T_map_base_begin.has_value()};
+  check_input(scans, motion);
   std::size_t points = 0;
   for (const SensorScan& scan : scans) points += scan.points.count;
-  choose_output(points, output);
+  choose_output(points, request.output);
   bins_.resize(points);
   positions_.resize(scans.size());
   if (passes_.size() < scans.size()) passes_.resize(scans.size());
@@ -132,19 +135,27 @@ ScanResult GroundGrid::Pipeline::process(std::span<const SensorScan> scans, cons
   result.sensor_height_estimated = sensor_height_ && height_estimated_;
   result.map_restarted = place_map(motion.T_map_base_end);
   place_sensors(scans, motion);
-  const LabelCounts counts = run_method();
-  result.ground = counts.ground;
-  result.obstacle = counts.obstacle;
-  result.outlier = counts.outlier;
-  result.unknown = counts.unknown;
+  std::optional<LabelCounts> counts = run_method();
+  if (!counts) {
+    // The ground is not where the map has it. A new map cannot contradict.
+    map_.start(ground_plane_);
+    result.map_restarted = true;
+    place_sensors(scans, motion);
+    counts = run_method();
+  }
+  result.ground = counts->ground;
+  result.obstacle = counts->obstacle;
+  result.outlier = counts->outlier;
+  result.unknown = counts->unknown;
   result.labels = labels_;
   result.height_above_ground = height_above_ground_;
   half_done_ = false;
   return result;
 }
 
-void GroundGrid::Pipeline::choose_output(std::size_t points, const ScanOutput* output) {
-  if (output != nullptr) {
+void GroundGrid::Pipeline::choose_output(std::size_t points,
+                                         const std::optional<ScanOutput>& output) {
+  if (output) {
     if (output->labels.size() != points || output->height_above_ground.size() != points)
       throw std::invalid_argument("ScanOutput: its spans must have one element per point");
     labels_ = output->labels;
@@ -165,10 +176,10 @@ double GroundGrid::Pipeline::find_ground(std::span<const SensorScan> scans) {
     return ground_z_;
   }
   const SensorScan& first = scans.front();
-  height_estimated_ = !config_.sensor_height_m && !first.T_base_sensor;
+  height_estimated_ = !config_.vehicle.sensor_height_m && !first.T_base_sensor;
   const double mounting_z = mounting_of(first).translation().z();
-  if (config_.sensor_height_m) {
-    sensor_height_ = config_.sensor_height_m;
+  if (config_.vehicle.sensor_height_m) {
+    sensor_height_ = config_.vehicle.sensor_height_m;
     return mounting_z - *sensor_height_;
   }
   if (first.T_base_sensor) {
@@ -186,8 +197,7 @@ double GroundGrid::Pipeline::find_ground(std::span<const SensorScan> scans) {
 bool GroundGrid::Pipeline::place_map(const Eigen::Isometry3d& T_map_base) {
   ground_plane_ = ground_plane(T_map_base, ground_z_);
   const Eigen::Vector3d position = T_map_base.translation();
-  const bool jumped =
-      last_position_ && !((position - *last_position_).norm() <= config_.pose_jump_m);
+  const bool jumped = last_position_ && !((position - *last_position_).norm() <= kPoseJump_m);
   if (jumped || !last_position_)
     map_.start(ground_plane_);
   else
@@ -229,7 +239,7 @@ LocalPlane GroundGrid::Pipeline::plane_in_window() const {
           ground_plane_.slope_y};
 }
 
-LabelCounts GroundGrid::Pipeline::run_method() {
+std::optional<LabelCounts> GroundGrid::Pipeline::run_method() {
   const Scan scan{std::span(passes_).first(sensors_), positions_, plane_in_window()};
   const Answers answers{labels_, height_above_ground_};
   switch (config_.method) {
@@ -247,18 +257,18 @@ TerrainView GroundGrid::Pipeline::terrain() const {
   TerrainView view;
   if (!map_.started()) return view;
   view.size = map_.size();
-  view.cell_size_m = map_.cell_size();
+  view.resolution_m = map_.cell_size();
   view.min_x_m = map_.min_x();
   view.min_y_m = map_.min_y();
   view.z_origin_m = map_.z_origin();
   view.relative_height = map_.height();
   view.confidence = map_.confidence();
-  view.statistics = grid_.statistics;
+  view.statistics = grid_.statistics.data();
   return view;
 }
 
-GroundGrid::GroundGrid(const Config& config)
-    : pipeline_(std::make_unique<Pipeline>(config, TileRunner(config.threads))) {}
+GroundGrid::GroundGrid(const Config& config, int threads)
+    : pipeline_(std::make_unique<Pipeline>(config, TileRunner(threads))) {}
 GroundGrid::GroundGrid(const Config& config, Executor& executor)
     : pipeline_(std::make_unique<Pipeline>(config, TileRunner(executor))) {}
 GroundGrid::~GroundGrid() = default;
@@ -266,25 +276,10 @@ GroundGrid::GroundGrid(GroundGrid&&) noexcept = default;
 GroundGrid& GroundGrid::operator=(GroundGrid&&) noexcept = default;
 
 ScanResult GroundGrid::process(const SensorScan& scan, const Eigen::Isometry3d& T_map_base) {
-  return process(std::span(&scan, 1), T_map_base);
+  return process({.scans = std::span(&scan, 1), .T_map_base = T_map_base});
 }
 
-ScanResult GroundGrid::process(std::span<const SensorScan> scans,
-                               const Eigen::Isometry3d& T_map_base) {
-  return pipeline_->process(scans, {T_map_base, T_map_base, false}, nullptr);
-}
-
-ScanResult GroundGrid::process(std::span<const SensorScan> scans,
-                               const Eigen::Isometry3d& T_map_base_begin,
-                               const Eigen::Isometry3d& T_map_base_end) {
-  return pipeline_->process(scans, {T_map_base_begin, T_map_base_end, true}, nullptr);
-}
-
-ScanResult GroundGrid::process(std::span<const SensorScan> scans,
-                               const Eigen::Isometry3d& T_map_base_begin,
-                               const Eigen::Isometry3d& T_map_base_end, const ScanOutput& output) {
-  return pipeline_->process(scans, {T_map_base_begin, T_map_base_end, true}, &output);
-}
+ScanResult GroundGrid::process(const ScanRequest& request) { return pipeline_->process(request); }
 
 void GroundGrid::reset() { pipeline_->reset(); }
 TerrainView GroundGrid::terrain() const { return pipeline_->terrain(); }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/point_transform.hpp"
+#include "groundgrid/ground_grid.hpp"
 
 namespace groundgrid {
 namespace {
@@ -41,14 +42,13 @@ void check_view(const PointView& view) {
   if (view.time_offset) check_offset(view, *view.time_offset, size_of(view.time_type), "time");
 }
 
-void check_input(std::span<const SensorScan> scans, const Motion& motion, const Config& config) {
+void check_input(std::span<const SensorScan> scans, const Motion& motion) {
   check_pose(motion.T_map_base_begin, "T_map_base_begin");
   check_pose(motion.T_map_base_end, "T_map_base_end");
   const Eigen::Vector3d way =
       motion.T_map_base_end.translation() - motion.T_map_base_begin.translation();
-  if (way.norm() > config.pose_jump_m)
-    throw std::invalid_argument(
-        "T_map_base_begin and T_map_base_end are further apart than pose_jump_m");
+  if (way.norm() > kPoseJump_m)
+    throw std::invalid_argument("T_map_base_begin and T_map_base are more than 20 m apart");
   std::size_t points = 0;
   for (const SensorScan& scan : scans) {
     check_view(scan.points);

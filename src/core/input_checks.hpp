@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <span>
 
-#include "groundgrid/config.hpp"
 #include "groundgrid/scan.hpp"
 
 namespace groundgrid {
@@ -19,10 +18,10 @@ struct Motion {
   bool within_scan;  ///< Whether points with times are to be corrected for the way between.
 };
 
-/// Throws std::invalid_argument where offsets and stride do not fit or the data is null.
+/// Throws std::invalid_argument if offsets and stride do not fit or the data is null.
 void check_view(const PointView& view);
 
 /// Throws std::invalid_argument for all that GroundGrid::process() refuses.
-void check_input(std::span<const SensorScan> scans, const Motion& motion, const Config& config);
+void check_input(std::span<const SensorScan> scans, const Motion& motion);
 
 }  // namespace groundgrid

@@ -63,11 +63,18 @@ int at_least_one(int concurrency) {
   return concurrency;
 }
 
+int threads_from(int wanted) {
+  constexpr int kMost = 1024;
+  if (wanted < 0 || wanted > kMost)
+    throw std::invalid_argument("threads = " + std::to_string(wanted) +
+                                ": must be between 0 (one per core) and 1024");
+  if (wanted > 0) return wanted;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 }  // namespace
 
-TileRunner::TileRunner(int threads)
-    : threads_(threads > 0 ? threads
-                           : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
+TileRunner::TileRunner(int threads) : threads_(threads_from(threads)) {
   if (threads_ == 1) return;
   own_ = std::make_unique<OwnThreads>(threads_);
   executor_ = own_.get();

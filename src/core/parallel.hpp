@@ -16,6 +16,7 @@ inline constexpr std::size_t kCellsPerTile = 1024;
 class TileRunner {
  public:
   /// `threads` of 0 means one per core. With one thread none is started, and oneTBB not called.
+  /// Throws std::invalid_argument if it is not in [0, 1024].
   explicit TileRunner(int threads);
 
   /// Runs on the threads of an executor that outlives this object. Throws std::invalid_argument

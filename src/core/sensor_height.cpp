@@ -130,7 +130,7 @@ std::optional<Eigen::Vector3d> fit_plane(const std::vector<FlatCell>& cells,
 
 std::optional<double> estimate_sensor_height(const PointView& points, const Config& config) {
   check_view(points);
-  const std::vector<FlatCell> cells = flat_cells(points, Exclusion(config));
+  const std::vector<FlatCell> cells = flat_cells(points, Exclusion(config.vehicle));
   if (cells.size() < kMinVotes) return std::nullopt;
   Eigen::Vector3d plane(most_voted_depth(cells), 0.0, 0.0);
   for (int fit = 0; fit < kFits; ++fit) {

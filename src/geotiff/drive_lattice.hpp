@@ -16,11 +16,11 @@ class DriveLattice {
   /// Where a raster of these cells lies.
   [[nodiscard]] RasterGrid grid_of(const CellRange& cells) const;
 
-  [[nodiscard]] double cell_size_m() const { return cell_size_m_; }
+  [[nodiscard]] double resolution_m() const { return resolution_m_; }
 
  private:
-  double cell_size_m_ = 0.0;  // 0 until the first view has come
-  double origin_x_m_ = 0.0;   // outer edges of cell (0, 0)
+  double resolution_m_ = 0.0;  // 0 until the first view has come
+  double origin_x_m_ = 0.0;    // outer edges of cell (0, 0)
   double origin_y_m_ = 0.0;
 };
 

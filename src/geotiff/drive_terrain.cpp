@@ -115,7 +115,7 @@ void DriveTerrain::add_to_tile(TileStore::Index index, const TerrainView& view,
         static_cast<std::size_t>(cells.first_column - tile_cells.first_column),
         static_cast<std::size_t>(row - tile_cells.first_row),
         {view.relative_height.subspan(first, count), view.confidence.subspan(first, count),
-         view.statistics.subspan(first, count),
+         statistics_of(view).subspan(first, count),
          std::span<const std::uint32_t>(points_around_).subspan(first, count), view.z_origin_m});
   }
 }
@@ -127,7 +127,7 @@ bool DriveTerrain::fill(TerrainBlock& block, MosaicTile& buffer) const {
     for (std::int64_t j = tiles.first_row; j < tiles.end_row; ++j) {
       const MosaicTile* const tile = store_.look_up({i, j}, buffer);
       if (tile == nullptr) continue;
-      copy(*tile, cells_of({i, j}), density_area_m2(lattice_.cell_size_m()), block);
+      copy(*tile, cells_of({i, j}), density_area_m2(lattice_.resolution_m()), block);
       filled = true;
     }
   }
@@ -149,7 +149,7 @@ HeightWindow DriveTerrain::heights_in(const CellRange& cells, MosaicTile& buffer
 DriveTerrain::Blocks::Blocks(const DriveTerrain& terrain)
     : terrain_(terrain),
       buffer_(std::make_unique<MosaicTile>()),
-      completion_(terrain.surface_, terrain.lattice_.cell_size_m()) {}
+      completion_(terrain.surface_, terrain.lattice_.resolution_m()) {}
 
 TerrainBlock* DriveTerrain::Blocks::read(const CellRange& cells) {
   block_.move_to(moved(cells, terrain_.told_.first_column, terrain_.told_.first_row));

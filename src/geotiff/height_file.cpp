@@ -56,9 +56,9 @@ void write_heights(const std::filesystem::path& path, const RasterGrid& grid,
   DatasetPtr dataset = create(file.hidden(), grid);
   check(path, errors, dataset != nullptr);
   std::array<double, 6> transform{
-      grid.min_x_m, grid.cell_size_m,
-      0.0,          grid.min_y_m + static_cast<double>(grid.rows) * grid.cell_size_m,
-      0.0,          -grid.cell_size_m};
+      grid.min_x_m, grid.resolution_m,
+      0.0,          grid.min_y_m + static_cast<double>(grid.rows) * grid.resolution_m,
+      0.0,          -grid.resolution_m};
   check(path, errors, dataset->SetGeoTransform(transform.data()) == CE_None);
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   band.SetDescription("height");

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "groundgrid/terrain_view.hpp"
+#include "core/map/cell_statistics.hpp"
 
 namespace groundgrid::geotiff {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/map/cell_statistics.hpp"
 #include "geotiff/saturating_sum.hpp"
 
 namespace groundgrid::geotiff {
@@ -15,19 +16,19 @@ constexpr double kFarthestReach = 1e6;
 
 }  // namespace
 
-int density_reach(double cell_size_m) {
-  const double reach = std::round((kSide_m / cell_size_m - 1.0) / 2.0);
+int density_reach(double resolution_m) {
+  const double reach = std::round((kSide_m / resolution_m - 1.0) / 2.0);
   return static_cast<int>(std::clamp(reach, 0.0, kFarthestReach));
 }
 
-double density_area_m2(double cell_size_m) {
-  const double side_m = (2 * density_reach(cell_size_m) + 1) * cell_size_m;
+double density_area_m2(double resolution_m) {
+  const double side_m = (2 * density_reach(resolution_m) + 1) * resolution_m;
   return side_m * side_m;
 }
 
 void count_points_around(const TerrainView& view, std::vector<std::uint32_t>& points_around) {
-  points_around.assign(view.statistics.size(), 0);
-  const int reach = density_reach(view.cell_size_m);
+  points_around.assign(statistics_of(view).size(), 0);
+  const int reach = density_reach(view.resolution_m);
   const auto index = [&](int column, int row) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(view.size) +
            static_cast<std::size_t>(column);

@@ -8,7 +8,7 @@ namespace groundgrid::geotiff {
 struct RasterGrid {
   double min_x_m = 0.0;  ///< Outer edge of the western column.
   double min_y_m = 0.0;  ///< Outer edge of the southern row.
-  double cell_size_m = 0.0;
+  double resolution_m = 0.0;
   std::int64_t columns = 0;
   std::int64_t rows = 0;
 };

@@ -22,12 +22,13 @@ constexpr std::array<RasterBand, kTerrainBands> kBands{{{"height", "m"},
 
 void check_size(const std::filesystem::path& path, const RasterGrid& grid) {
   if (blocks_over(grid.columns) <= kMostBlocks / blocks_over(grid.rows)) return;
-  throw io::Error({.file = path,
-                   .expected = "a drive that one raster can hold",
-                   .got = fmt::format("one over {:.0f} km by {:.0f} km",
-                                      static_cast<double>(grid.columns) * grid.cell_size_m / 1000.0,
-                                      static_cast<double>(grid.rows) * grid.cell_size_m / 1000.0),
-                   .remedy = "check the poses for one that is far off"});
+  throw io::Error(
+      {.file = path,
+       .expected = "a drive that one raster can hold",
+       .got = fmt::format("one over {:.0f} km by {:.0f} km",
+                          static_cast<double>(grid.columns) * grid.resolution_m / 1000.0,
+                          static_cast<double>(grid.rows) * grid.resolution_m / 1000.0),
+       .remedy = "check the poses for one that is far off"});
 }
 
 GDALDataset* create_raster(const std::filesystem::path& path, const RasterGrid& grid,
@@ -63,9 +64,9 @@ TerrainFile::TerrainFile(const std::filesystem::path& path, const RasterGrid& gr
 
 void TerrainFile::describe(const RasterGrid& grid, const std::optional<OGRSpatialReference>& crs,
                            std::span<const RasterBand> bands) {
-  const double max_y = grid.min_y_m + static_cast<double>(grid.rows) * grid.cell_size_m;
-  std::array<double, 6> transform{grid.min_x_m, grid.cell_size_m, 0.0, max_y,
-                                  0.0,          -grid.cell_size_m};
+  const double max_y = grid.min_y_m + static_cast<double>(grid.rows) * grid.resolution_m;
+  std::array<double, 6> transform{grid.min_x_m, grid.resolution_m, 0.0, max_y,
+                                  0.0,          -grid.resolution_m};
   check(dataset_->SetGeoTransform(transform.data()) == CE_None);
   if (crs) check(dataset_->SetSpatialRef(&*crs) == CE_None);
   int index = 0;

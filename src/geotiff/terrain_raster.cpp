@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/map/cell_statistics.hpp"
 #include "geotiff/crs.hpp"
 #include "geotiff/point_density.hpp"
 #include "geotiff/terrain_file.hpp"
@@ -18,7 +19,7 @@ float height_of(const TerrainView& terrain, std::size_t cell) {
 
 void fill(TerrainBlock& block, const TerrainView& terrain,
           const std::vector<std::uint32_t>& points_around) {
-  const double area_m2 = density_area_m2(terrain.cell_size_m);
+  const double area_m2 = density_area_m2(terrain.resolution_m);
   const CellRange cells = overlap(block.cells(), {0, terrain.size, 0, terrain.size});
   for (std::int64_t row = cells.first_row; row < cells.end_row; ++row) {
     for (std::int64_t column = cells.first_column; column < cells.end_column; ++column) {
@@ -60,11 +61,11 @@ void write_terrain(const std::filesystem::path& path, const TerrainView& terrain
   check_view(terrain);
   if (terrain.size == 0) fail_without_terrain(path);
   TerrainFile file(
-      path, {terrain.min_x_m, terrain.min_y_m, terrain.cell_size_m, terrain.size, terrain.size},
+      path, {terrain.min_x_m, terrain.min_y_m, terrain.resolution_m, terrain.size, terrain.size},
       reference);
   std::vector<std::uint32_t> points_around;
   count_points_around(terrain, points_around);
-  TerrainSurface completion(surface, terrain.cell_size_m);
+  TerrainSurface completion(surface, terrain.resolution_m);
   TerrainBlock block;
   for (int row = 0; row < file.block_rows(); ++row) {
     for (int column = 0; column < file.block_columns(); ++column) {

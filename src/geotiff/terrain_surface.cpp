@@ -18,12 +18,12 @@ constexpr double kDriveTerraceArea_m2 = 10.0;
 /// The plane through heights of cells, least squares, from the middle of the square that they are
 /// in; level where they do not span one.
 LocalPlane plane_through(std::span<const std::uint32_t> cells, std::span<const float> heights,
-                         std::int64_t side, double cell_size_m) {
+                         std::int64_t side, double resolution_m) {
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
   Eigen::Vector3d sums = Eigen::Vector3d::Zero();
   const std::int64_t middle = side / 2;
   const auto from_middle = [&](std::int64_t i) {
-    return static_cast<double>(i - middle) * cell_size_m;
+    return static_cast<double>(i - middle) * resolution_m;
   };
   for (const std::uint32_t cell : cells) {
     const Eigen::Vector3d place(1.0, from_middle(cell % side), from_middle(cell / side));
@@ -45,16 +45,16 @@ std::int64_t shared_middle(std::int64_t first, std::int64_t end) {
 
 }  // namespace
 
-TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, double cell_size_m)
-    : cell_size_m_(cell_size_m), completes_(options.has_value()) {
+TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, double resolution_m)
+    : resolution_m_(resolution_m), completes_(options.has_value()) {
   if (!options) return;
-  reach_ = std::llround(options->reach_m / cell_size_m);
-  fill_ = options->fill_m / cell_size_m;
+  reach_ = std::llround(options->reach_m / resolution_m);
+  fill_ = options->fill_m / resolution_m;
   for (std::int64_t rows = -reach_; rows <= reach_; ++rows) {
     for (std::int64_t columns = -reach_; columns <= reach_; ++columns) {
       const double distance = std::hypot(static_cast<double>(columns), static_cast<double>(rows));
       if (distance == 0.0 || distance > static_cast<double>(reach_)) continue;
-      const double rise = options->step_m + options->max_slope * distance * cell_size_m;
+      const double rise = options->step_m + options->max_slope * distance * resolution_m;
       neighbours_.push_back({columns, rows, static_cast<float>(rise)});
     }
   }
@@ -64,7 +64,7 @@ TerrainSurface::TerrainSurface(const std::optional<SurfaceOptions>& options, dou
 }
 
 CellRange TerrainSurface::window_around(const CellRange& cells) const {
-  const auto context = static_cast<std::int64_t>(std::ceil(kContext_m / cell_size_m_));
+  const auto context = static_cast<std::int64_t>(std::ceil(kContext_m / resolution_m_));
   const std::int64_t longer = std::max(cells.columns(), cells.rows());
   const std::int64_t half = (longer + kSharedBlock) / 2 + 1 + context;
   const std::int64_t column = shared_middle(cells.first_column, cells.end_column);
@@ -106,7 +106,7 @@ void TerrainSurface::make_room(const HeightWindow& window) {
   const std::int64_t side = longer + (longer + 1) % 2;
   if (side != side_) {
     side_ = side;
-    planes_.emplace(static_cast<int>(side), cell_size_m_, runner_);
+    planes_.emplace(static_cast<int>(side), resolution_m_, runner_);
     const auto cells = static_cast<std::size_t>(side * side);
     heights_.resize(cells);
     deviations_.resize(cells);
@@ -172,7 +172,7 @@ void TerrainSurface::fit(HeightWindow& window) {
     planes_->heights()[cell] = heights_[cell];
     known_.push_back(cell);
   });
-  const LocalPlane top = plane_through(known_, heights_, side_, cell_size_m_);
+  const LocalPlane top = plane_through(known_, heights_, side_, resolution_m_);
   if (completes_)
     planes_->reject_raised(top, kDriveTerraceArea_m2);
   else

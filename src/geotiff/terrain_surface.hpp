@@ -36,7 +36,7 @@ struct HeightWindow {
 class TerrainSurface {
  public:
   /// Without options all heights stay and no gap is filled: only deviations are told.
-  TerrainSurface(const std::optional<SurfaceOptions>& options, double cell_size_m);
+  TerrainSurface(const std::optional<SurfaceOptions>& options, double resolution_m);
 
   /// The window that the surface over some cells depends on.
   [[nodiscard]] CellRange window_around(const CellRange& cells) const;
@@ -67,7 +67,7 @@ class TerrainSurface {
                                     window.cells.first_column);
   }
 
-  double cell_size_m_;
+  double resolution_m_;
   bool completes_;
   std::vector<Neighbour> neighbours_;
   std::int64_t reach_ = 0;  // cells

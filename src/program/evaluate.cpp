@@ -153,9 +153,9 @@ void run_method_on_all(const EvaluateOptions& options, const Config& config,
   const RunFrames frames{.R_level_lidar = options.input.R_level_lidar()};
   ProgressBar progress(scans_in(sequences));
   for (std::size_t i = 0; i < sequences.size(); ++i)
-    result.report.sequences.push_back(run_method(MethodRunner(config, std::move(poses[i]), frames),
-                                                 sequences[i], result.notes.emplace_back(),
-                                                 progress));
+    result.report.sequences.push_back(
+        run_method(MethodRunner(config, options.method.threads(), std::move(poses[i]), frames),
+                   sequences[i], result.notes.emplace_back(), progress));
 }
 
 SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSequence& sequence) {
@@ -177,15 +177,15 @@ SequenceResult read_predictions(const EvaluateOptions& options, const io::ScanSe
   return figures;
 }
 
-std::string title_of(const EvaluateOptions& options, const Config& config) {
+std::string title_of(const EvaluateOptions& options) {
   if (!options.predictions.empty())
     return fmt::format("Predictions in {} against {}", options.predictions.string(),
                        options.input.path().string());
-  return fmt::format("GroundGrid {}, preset {}, {}, {} thread{}, on {}", version(),
-                     options.method.preset(),
-                     options.method.single_scan() ? "single scans" : "sequences with poses",
-                     config.threads == 0 ? "all" : std::to_string(config.threads),
-                     config.threads == 1 ? "" : "s", options.input.path().string());
+  return fmt::format(
+      "GroundGrid {}, preset {}, {}, {} thread{}, on {}", version(), options.method.preset(),
+      options.method.single_scan() ? "single scans" : "sequences with poses",
+      options.method.threads() == 0 ? "all" : std::to_string(options.method.threads()),
+      options.method.threads() == 1 ? "" : "s", options.input.path().string());
 }
 
 void print_report(const EvaluateOptions& options, const Arguments& arguments, const Config& config,
@@ -209,7 +209,7 @@ void print_report(const EvaluateOptions& options, const Arguments& arguments, co
 void evaluate(const EvaluateOptions& options, const Arguments& arguments) {
   const Config config = options.method.config();
   const std::vector<io::ScanSequence> sequences = labelled_sequences(options);
-  Evaluation result{.report = {.title = title_of(options, config),
+  Evaluation result{.report = {.title = title_of(options),
                                .unanswered = options.leave_unanswered_out
                                                  ? evaluation::Unanswered::left_out
                                                  : evaluation::Unanswered::as_non_ground},

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <CLI/Error.hpp>
 #include <CLI/Validators.hpp>
 #include <algorithm>
-#include <optional>
-#include <type_traits>
-#include <variant>
 
 #include "groundgrid/parameters.hpp"
 #include "program/parameter_values.hpp"
@@ -16,18 +14,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// The group of options that --help does not list.
+constexpr const char* kHidden = "";
+
 Json value_of(const Config& config, const Parameter& parameter) {
-  return std::visit(
-      [&config](auto member) -> Json {
-        const auto& value = config.*member;
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
-          return value ? Json(*value) : Json(nullptr);
-        else if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Method>)
-          return name_of(value);
-        else
-          return value;
-      },
-      parameter.member);
+  const std::string text = text_of(config, parameter);
+  if (text == "none") return nullptr;
+  return is_name(parameter) ? Json(text) : Json::parse(text);
 }
 
 std::string flag_of(const Parameter& parameter) {
@@ -36,17 +29,11 @@ std::string flag_of(const Parameter& parameter) {
   return flag;
 }
 
-std::string group_of(const Parameter& parameter) {
-  std::string group = "Method: " + std::string(parameter.group);
-  std::replace(group.begin(), group.end(), '_', ' ');
-  return group;
-}
-
 std::string description_of(const Parameter& parameter) {
-  const Json value = value_of(Config{}, parameter);
-  const std::string unit = parameter.unit.empty() ? "" : fmt::format(" {}", parameter.unit);
-  return fmt::format("{} [{}{}]", parameter.text, value.is_null() ? "none" : value.dump(),
-                     value.is_null() ? "" : unit);
+  const std::string value = text_of(Config{}, parameter);
+  const bool has_unit = !parameter.unit.empty() && value != "none";
+  return fmt::format("{} [{}{}{}]", parameter.text, value, has_unit ? " " : "",
+                     has_unit ? parameter.unit : "");
 }
 
 }  // namespace
@@ -59,15 +46,24 @@ void MethodOptions::add_to(CLI::App& command) {
       command.add_option("--config", file_,
                          "TOML file of parameters (name = value); flags win over it"),
       command.add_flag("--single-scan", single_scan_,
-                       "Forget the map before each scan and use no poses")};
+                       "Forget the map before each scan and use no poses"),
+      command.add_option("--threads", threads_, "Threads of the method; 0: one per core [1]")
+          ->check(CLI::Range(0, 1024))};
   values_.resize(parameters().size());
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const Parameter& parameter = parameters()[i];
     parameter_options_.push_back(
         command.add_option(flag_of(parameter), values_[i], description_of(parameter))
             ->type_name("VALUE")
-            ->group(group_of(parameter)));
+            ->group(kHidden));
   }
+  const auto show_all = [this] {
+    for (CLI::Option* option : parameter_options_) option->group("Parameters of the method");
+    throw CLI::CallForHelp();
+  };
+  command.add_flag_callback("--help-all", show_all,
+                            "Print this with the parameters of the method, such as "
+                            "--sensor-height-m or --resolution-m, and exit");
 }
 
 void MethodOptions::exclude(CLI::Option* other) {

@@ -25,16 +25,16 @@ namespace {
 constexpr double kBytesPerCell = 150.0;
 
 [[noreturn]] void fail_without_memory(const Config& config) {
-  const double side = std::ceil(config.map_extent_m / config.cell_size_m);
+  const double side = std::ceil(config.map.extent_m / config.map.resolution_m);
   throw std::runtime_error(fmt::format(
-      "not enough memory: a map of {0:.0f} x {0:.0f} cells (map_extent_m = {1}, cell_size_m = {2}) "
-      "takes about {3:.0f} MB; choose a smaller --map-extent-m or a larger --cell-size-m",
-      side, config.map_extent_m, config.cell_size_m, side * side * kBytesPerCell / 1e6));
+      "not enough memory: a map of {0:.0f} x {0:.0f} cells (extent_m = {1}, resolution_m = {2}) "
+      "takes about {3:.0f} MB; choose a smaller --extent-m or a larger --resolution-m",
+      side, config.map.extent_m, config.map.resolution_m, side * side * kBytesPerCell / 1e6));
 }
 
-GroundGrid make_grid(const Config& config) {
+GroundGrid make_grid(const Config& config, int threads) {
   try {
-    return GroundGrid(config);
+    return GroundGrid(config, threads);
   } catch (const std::bad_alloc&) {
     fail_without_memory(config);
   }
@@ -69,20 +69,21 @@ void require_upright(const Eigen::Isometry3d& T_map_base, const io::ScanFile& sc
 void warn_about(const io::ScanFile& scan, const ScanResult& result, const Config& config) {
   if (result.map_restarted)
     spdlog::warn(
-        "{}: its pose is more than pose_jump_m ({} m) from the one before; the map starts anew",
-        scan.path.string(), config.pose_jump_m);
+        "{}: the map starts anew: its pose is more than {} m from the one before, or the ground is "
+        "not where the map has it (a lift, or a pose that is wrong in height)",
+        scan.path.string(), kPoseJump_m);
   if (result.unknown == result.labels.size())
     spdlog::warn(
-        "{}: none of its {} points has an answer; all are NaN, too near or outside of the {} m "
+        "{}: none of its {} points has a label; all are NaN, too near or outside of the {} m "
         "around the LiDAR (`groundgrid info` tells)",
-        scan.path.string(), result.unknown, config.map_extent_m);
+        scan.path.string(), result.unknown, config.map.extent_m);
 }
 
 }  // namespace
 
-MethodRunner::MethodRunner(const Config& config, std::optional<io::ScanPoses> poses,
+MethodRunner::MethodRunner(const Config& config, int threads, std::optional<io::ScanPoses> poses,
                            RunFrames frames)
-    : grid_(make_grid(config)),
+    : grid_(make_grid(config, threads)),
       poses_(std::move(poses)),
       frames_(std::move(frames)),
       T_map_poses_(poses_ ? frames_.T_map_level * T_level_poses(*poses_, frames_.R_level_lidar)

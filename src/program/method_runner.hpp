@@ -23,9 +23,10 @@ struct RunFrames {
 /// Runs the method over the scans of one sequence in their order.
 class MethodRunner {
  public:
-  /// Without poses every scan is a single one: the map is forgotten before it. Throws
-  /// std::runtime_error where memory does not hold the map.
-  MethodRunner(const Config& config, std::optional<io::ScanPoses> poses, RunFrames frames = {});
+  /// Without poses every scan is a single one: the map is forgotten before it. `threads` as
+  /// GroundGrid has them. Throws std::runtime_error if memory does not hold the map.
+  MethodRunner(const Config& config, int threads, std::optional<io::ScanPoses> poses,
+               RunFrames frames = {});
 
   /// Reads a scan for process(); may run on another thread than it. Throws io::Error.
   void read(const io::ScanFile& scan, ScanSlot& slot) const;

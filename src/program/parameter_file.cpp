@@ -54,7 +54,7 @@ std::string sentence_of(const toml::exception& error) {
     throw UsageError(fmt::format("{}: expected name = value, got '{}'", place, shortened(line)));
   const std::string_view text = trimmed(line.substr(equals + 1));
   throw UsageError(fmt::format(
-      "{}: {}: expected one number, true, false or quoted word, got {} ({})", place,
+      "{}: {}: expected a number, a list of numbers or a quoted word, got {} ({})", place,
       shortened(name), text.empty() ? "nothing" : fmt::format("'{}'", shortened(text)), reason));
 }
 
@@ -77,6 +77,19 @@ toml::table table_in(std::string_view line, const std::string& place) {
   }
 }
 
+std::optional<std::string> text_of(const toml::value& value);
+
+/// Nothing if the list holds anything but single values.
+std::optional<std::string> list_text_of(const toml::array& list) {
+  std::string text = "[";
+  for (const toml::value& value : list) {
+    const auto one = value.is_array() ? std::nullopt : text_of(value);
+    if (!one) return std::nullopt;
+    text += (text.size() > 1 ? ", " : "") + *one;
+  }
+  return text + "]";
+}
+
 std::optional<std::string> text_of(const toml::value& value) {
   switch (value.type()) {
     case toml::value_t::boolean:
@@ -87,6 +100,8 @@ std::optional<std::string> text_of(const toml::value& value) {
       return fmt::format("{}", value.as_floating());
     case toml::value_t::string:
       return value.as_string().str;
+    case toml::value_t::array:
+      return list_text_of(value.as_array());
     default:
       return std::nullopt;
   }

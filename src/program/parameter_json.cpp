@@ -1,5 +1,3 @@
-#include <variant>
-
 #include "groundgrid/parameters.hpp"
 #include "program/method_options.hpp"
 #include "program/parameter_listing.hpp"
@@ -17,12 +15,11 @@ nlohmann::ordered_json parameter_json(const Config& config) {
   Json list = Json::array();
   for (const Parameter& parameter : parameters()) {
     const std::string name(parameter.name);
-    const bool is_name = std::holds_alternative<Method Config::*>(parameter.member);
     list.push_back({{"name", name},
                     {"value", values[name]},
                     {"unit", parameter.unit},
-                    {"min", is_name ? Json(nullptr) : Json(parameter.min)},
-                    {"max", is_name ? Json(nullptr) : Json(parameter.max)},
+                    {"min", is_name(parameter) ? Json(nullptr) : Json(parameter.min)},
+                    {"max", is_name(parameter) ? Json(nullptr) : Json(parameter.max)},
                     {"optional", is_optional(parameter)},
                     {"symbol", parameter.symbol.empty() ? Json(nullptr) : Json(parameter.symbol)},
                     {"stage", parameter.group},

@@ -15,9 +15,9 @@ Every parameter has one name in all places:
 
 | where | how |
 | --- | --- |
-| C++ | a field of `groundgrid::Config`: `config.cell_size_m = 0.25;` |
-| command line | a flag: `--cell-size-m 0.25` |
-| file for `--config` | a line: `cell_size_m = 0.25`; `groundgrid params --toml` prints such a file |
+| C++ | a field of `groundgrid::Config`, in its part: `config.map.resolution_m = 0.25;` |
+| command line | a flag: `--resolution-m 0.25` |
+| file for `--config` | a line: `resolution_m = 0.25`; `groundgrid params --toml` prints such a file |
 
 Flags win over the file, the file over `--preset`. The preset `default` is the best that we can
 measure, `paper` follows the paper to the letter; values that differ are bold. What the values do is
@@ -25,8 +25,8 @@ in [method.md](method.md). A parameter whose value is "none" is left out.
 )";
 
 std::string row_of(const Parameter& parameter) {
-  const std::string by_default = value_word(Config{}, parameter);
-  std::string in_paper = value_word(Config::paper(), parameter);
+  const std::string by_default = text_of(Config{}, parameter);
+  std::string in_paper = text_of(Config::paper(), parameter);
   if (in_paper != by_default) in_paper = fmt::format("**{}**", in_paper);
   return fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", parameter.name, by_default,
                      in_paper, parameter.unit, range_word(parameter), parameter.symbol,

@@ -21,7 +21,7 @@ using Row = std::array<std::string, 5>;
 Row heading_row() { return {"parameter", "value", "unit", "range", "symbol"}; }
 
 Row row_of(const Config& config, const Parameter& parameter) {
-  return {std::string(parameter.name), value_word(config, parameter), std::string(parameter.unit),
+  return {std::string(parameter.name), text_of(config, parameter), std::string(parameter.unit),
           range_word(parameter), std::string(parameter.symbol)};
 }
 

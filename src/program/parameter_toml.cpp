@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "groundgrid/parameters.hpp"
-#include "program/method_options.hpp"
 #include "program/parameter_listing.hpp"
 #include "program/parameter_words.hpp"
 #include "program/version.hpp"
@@ -21,16 +20,16 @@ std::string comment_of(const Parameter& parameter) {
 }  // namespace
 
 std::string parameter_toml(const Config& config, std::string_view preset) {
-  const nlohmann::ordered_json values = to_json(config);
   std::string text = fmt::format(
       "# Parameters of GroundGrid {}, preset {}, for --config. Lines left out, or begun with '#',\n"
       "# leave a parameter as --preset has it.\n",
       version(), preset);
   for (const Parameter& parameter : parameters()) {
     if (begins_stage(parameter)) text += fmt::format("\n# == {}\n", stage_heading(parameter));
-    const auto& value = values[std::string(parameter.name)];
-    text += fmt::format("\n{}{}{} = {}\n", comment_of(parameter), value.is_null() ? "# " : "",
-                        parameter.name, value.is_null() ? "\"none\"" : value.dump());
+    const std::string value = text_of(config, parameter);
+    const bool quoted = is_name(parameter) || value == "none";
+    text += fmt::format("\n{}{}{} = {}\n", comment_of(parameter), value == "none" ? "# " : "",
+                        parameter.name, quoted ? fmt::format("\"{}\"", value) : value);
   }
   return text;
 }

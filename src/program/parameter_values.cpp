@@ -17,7 +17,13 @@ const Parameter& parameter_named(const FileParameter& given) {
   std::replace(name.begin(), name.end(), '-', '_');
   for (const Parameter& parameter : parameters())
     if (parameter.name == name) return parameter;
-  throw UsageError(fmt::format("{}: unknown parameter '{}'", given.place, given.name));
+  try {
+    Config any;
+    set_parameter(any, name, "");
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("{}: {}", given.place, error.what()));
+  }
+  throw UsageError(fmt::format("{}: unknown parameter '{}'", given.place, name));
 }
 
 void set_value(Config& config, const Parameter& parameter, const GivenValue& value) {

@@ -48,7 +48,8 @@ struct LabelledScan {
 // All scans up to the chosen one, so that the map remembers what a drive has seen.
 LabelledScan run_method(const RenderScanOptions& options, const ChosenScan& chosen) {
   const bool single = options.input.without_poses(chosen.sequence, options.method.single_scan());
-  MethodRunner runner(options.method.config(), options.input.read_poses(chosen.sequence, single),
+  MethodRunner runner(options.method.config(), options.method.threads(),
+                      options.input.read_poses(chosen.sequence, single),
                       {.R_level_lidar = options.input.R_level_lidar()});
   LabelledScan result;
   for (std::size_t i = single ? chosen.index : 0; i <= chosen.index; ++i) {

@@ -92,8 +92,9 @@ std::vector<io::ScanSequence> sequences_of_table(const ReproduceOptions& options
 // What the method gave on one scan.
 using ScanVisitor = std::function<void(const io::ScanFile&, const ScanSlot&)>;
 
-void run_method(const Config& config, const io::ScanSequence& sequence, const ScanVisitor& visit) {
-  MethodRunner runner(config, read_poses(sequence));
+void run_method(const Config& config, int threads, const io::ScanSequence& sequence,
+                const ScanVisitor& visit) {
+  MethodRunner runner(config, threads, read_poses(sequence));
   ScanSlot slot;
   // One after the other, so that nothing disturbs the times.
   for (const io::ScanFile& scan : sequence.scans) {
@@ -116,14 +117,14 @@ void announce(const std::string& preset, const io::ScanSequence& sequence, int t
                threads == 1 ? "" : "s", scans, scans == 1 ? "" : "s");
 }
 
-SequenceResult score(const std::string& preset, Config config, const io::ScanSequence& sequence,
-                     evaluation::LabelRecord& labels, Times& times) {
-  config.threads = 1;
-  announce(preset, sequence, config.threads);
+SequenceResult score(const std::string& preset, const Config& config,
+                     const io::ScanSequence& sequence, evaluation::LabelRecord& labels,
+                     Times& times) {
+  announce(preset, sequence, 1);
   SequenceResult result{.name = sequence.name, .scans = sequence.scans.size()};
   std::vector<std::uint32_t> truth;
   std::vector<float> coordinates;
-  run_method(config, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
+  run_method(config, 1, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
     io::read_labels(label_file(sequence.labels(), scan), scan.path, processed.labels.size(), truth);
     copy_coordinates(processed.points, coordinates);
     result.metrics.add_scan(coordinates, 3, truth, processed.labels);
@@ -133,17 +134,17 @@ SequenceResult score(const std::string& preset, Config config, const io::ScanSeq
   return result;
 }
 
-void repeat_with_all_threads(const std::string& preset, Config config,
+void repeat_with_all_threads(const std::string& preset, const Config& config,
                              const io::ScanSequence& sequence,
                              const evaluation::LabelRecord& labels, Times& times) {
-  config.threads = all_threads();
-  announce(preset, sequence, config.threads);
+  const int threads = all_threads();
+  announce(preset, sequence, threads);
   std::size_t index = 0;
-  run_method(config, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
+  run_method(config, threads, sequence, [&](const io::ScanFile& scan, const ScanSlot& processed) {
     if (!labels.holds(index++, processed.labels))
       throw std::runtime_error(
           fmt::format("{}: preset {} gives other labels with {} threads than with 1",
-                      scan.path.string(), preset, config.threads));
+                      scan.path.string(), preset, threads));
     times.all_threads.push_back(processed.milliseconds);
   });
 }

@@ -81,6 +81,7 @@ Json to_json(const RunRecord& record) {
           {"preset", record.preset},
           {"single_scan", record.single_scan},
           {"config", to_json(record.config)},
+          {"threads", record.threads},
           {"counts", counts_json(record.scans(), counts)},
           {"seconds", record.seconds},
           {"scans_per_second", record.scans_per_second()},

@@ -47,6 +47,7 @@ struct RunRecord {
   std::string preset;
   bool single_scan = false;
   Config config{};
+  int threads = 1;  ///< Of the method; 0: one per core.
   std::vector<SequenceRecord> sequences{};
   std::vector<SkippedSequence> skipped_sequences{};
   double seconds = 0.0;  ///< From the first scan's reading to the last one's writing.

@@ -32,7 +32,7 @@ FieldSummary field_summary(const io::PointCloud& cloud, const io::PointField& fi
 // Adds what the coordinates alone tell.
 void add_geometry(ScanSummary& summary, const std::vector<float>& xyz) {
   std::vector<double> ranges;
-  const double reach = Config{}.map_extent_m / 2.0;
+  const double reach = Config{}.map.extent_m / 2.0;
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
     const auto x = static_cast<double>(xyz[i]);
     const auto y = static_cast<double>(xyz[i + 1]);
@@ -178,7 +178,7 @@ std::string to_text(const ScanSummary& s) {
   }
   if (s.outside_map > 0)
     text += fmt::format("    {} points are outside of the default map ({} m square)\n",
-                        s.outside_map, Config{}.map_extent_m);
+                        s.outside_map, Config{}.map.extent_m);
   if (s.sensor_height_m)
     text += fmt::format("    LiDAR {:.2f} m above the ground, estimated\n", *s.sensor_height_m);
   for (const std::string& remark : s.remarks()) text += fmt::format("    ! {}\n", remark);

@@ -51,7 +51,8 @@ class Segmentation {
                 .poses = options.input.pose_file(),
                 .preset = options.method.preset(),
                 .single_scan = options.method.single_scan(),
-                .config = options.method.config()},
+                .config = options.method.config(),
+                .threads = options.method.threads()},
         timing_(options.output / "timing.csv") {}
 
   void run() {

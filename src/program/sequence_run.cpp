@@ -18,7 +18,7 @@ SequenceRun::SequenceRun(const RunContext& context, const io::ScanSequence& sequ
       sequence_(sequence),
       record_(context.record.sequences.emplace_back(
           SequenceRecord{.name = sequence.name, .folder = sequence.folder})),
-      runner_(context.record.config, std::move(poses),
+      runner_(context.record.config, context.options.method.threads(), std::move(poses),
               {.R_level_lidar = context.options.input.R_level_lidar(),
                .T_map_level = context.options.terrain.T_map_level()}),
       writer_(context.options.output, sequence, cloud_output_named(context.options.clouds)) {

@@ -51,7 +51,7 @@ std::string pose_text(const SequenceSummary& summary) {
   if (poses.jumps > 0)
     text +=
         fmt::format("  ! the pose jumps by more than {} m {} times; the map starts anew there\n",
-                    Config{}.pose_jump_m, poses.jumps);
+                    kPoseJump_m, poses.jumps);
   return text;
 }
 
@@ -94,7 +94,7 @@ void add_poses(SequenceSummary& summary, const io::ScanPoses& poses) {
       last = position;
       found.length_m += step;
       found.greatest_step_m = std::max(found.greatest_step_m, step);
-      if (step > Config{}.pose_jump_m) ++found.jumps;
+      if (step > kPoseJump_m) ++found.jumps;
     } catch (const io::Error&) {
       ++found.scans_without;
     }

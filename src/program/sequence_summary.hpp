@@ -18,7 +18,7 @@ struct PoseSummary {
   std::size_t scans_without = 0;
   double length_m = 0.0;         ///< Driven between the scans.
   double greatest_step_m = 0.0;  ///< Between two scans that follow each other.
-  std::size_t jumps = 0;         ///< Steps beyond the default pose_jump_m.
+  std::size_t jumps = 0;         ///< Steps beyond kPoseJump_m.
 };
 
 /// What is in one sequence of scans.

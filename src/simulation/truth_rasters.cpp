@@ -50,8 +50,8 @@ std::vector<float> TruthRasters::for_each_cell(const Function& value) const {
   runner_->parallel_for_tiles(static_cast<std::size_t>(grid_.rows), [&](std::size_t row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const Eigen::Vector2d middle(
-          grid_.min_x_m + (static_cast<double>(column) + 0.5) * grid_.cell_size_m,
-          grid_.min_y_m + (static_cast<double>(row) + 0.5) * grid_.cell_size_m);
+          grid_.min_x_m + (static_cast<double>(column) + 0.5) * grid_.resolution_m,
+          grid_.min_y_m + (static_cast<double>(row) + 0.5) * grid_.resolution_m);
       values[row * columns + column] = value(middle + origin_.head<2>());
     }
   });
@@ -80,7 +80,7 @@ std::vector<float> TruthRasters::at_kerbs() const {
   const std::vector<float> steps =
       for_each_cell([&](const Eigen::Vector2d& place) { return is_step(place) ? 1.0F : 0.0F; });
   std::vector<float> near(steps.size());
-  const auto reach = static_cast<std::int64_t>(kAtKerb_m / grid_.cell_size_m);
+  const auto reach = static_cast<std::int64_t>(kAtKerb_m / grid_.resolution_m);
   for (std::int64_t row = 0; row < grid_.rows; ++row)
     for (std::int64_t column = 0; column < grid_.columns; ++column) {
       if (steps[static_cast<std::size_t>(row * grid_.columns + column)] < 0.5F) continue;

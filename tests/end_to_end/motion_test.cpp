@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "groundgrid/ground_grid.hpp"
 #include "support/ray_caster.hpp"
@@ -39,6 +40,13 @@ Eigen::Isometry3d pose_at(double seconds) {
   return T_map_base;
 }
 
+ScanRequest request(std::span<const SensorScan> scans, const Eigen::Isometry3d& begin,
+                    const Eigen::Isometry3d& end, bool corrected) {
+  ScanRequest request{.scans = scans, .T_map_base = end};
+  if (corrected) request.T_map_base_begin = begin;
+  return request;
+}
+
 struct Errors {
   double ground = 0.0;    ///< Share of ground points not called ground.
   double obstacle = 0.0;  ///< Share of obstacle points not called obstacle.
@@ -64,8 +72,7 @@ Errors drive(bool corrected) {
       scans[sensor].T_base_sensor = kOnRoof;
       scans[sensor].time_end = 0.1;
     }
-    const ScanResult result =
-        corrected ? grid.process(scans, begin, end) : grid.process(scans, end);
+    const ScanResult result = grid.process(request(scans, begin, end, corrected));
     for (const SimulatedScan& scan : simulated) {
       sum.add(testing::score(result.labels, scan.truth, first));
       first += scan.truth.size();
@@ -94,7 +101,7 @@ TEST(Motion, CorrectionGivesTheRightTerrain) {
     scan.time_end = 0.1;
     const std::span<const SensorScan> scans(&scan, 1);
     GroundGrid grid;
-    corrected ? grid.process(scans, begin, end) : grid.process(scans, end);
+    grid.process(request(scans, begin, end, corrected));
     const TerrainView terrain = grid.terrain();
     double worst = 0.0;
     for (int row = 0; row < terrain.size; ++row)
@@ -117,7 +124,7 @@ TEST(Motion, ObstaclesStayObstacles) {
   scan.time_end = 0.1;
   GroundGrid grid;
   const Score score =
-      testing::score(grid.process(std::span(&scan, 1), begin, end).labels, simulated.truth);
+      testing::score(grid.process(request({&scan, 1}, begin, end, true)).labels, simulated.truth);
   EXPECT_GE(score.obstacle_recall(), 0.98);
 }
 
@@ -131,7 +138,7 @@ TEST(Motion, AVehicleAtRestGivesTheSameWithAndWithout) {
   scan.time_end = 0.1;
   GroundGrid with;
   GroundGrid without;
-  const ScanResult a = with.process(std::span(&scan, 1), rest, same);
+  const ScanResult a = with.process(request({&scan, 1}, rest, same, true));
   const ScanResult b = without.process(scan, rest);
   EXPECT_TRUE(std::equal(a.labels.begin(), a.labels.end(), b.labels.begin(), b.labels.end()));
 }

@@ -34,6 +34,7 @@ double iou_of_sequence(const Config& config, const std::vector<testing::RealScan
     if (single_scans) grid.reset();
     const ScanResult result =
         single_scans ? grid.process(scan) : grid.process(scan, real.T_map_lidar);
+    EXPECT_FALSE(result.map_restarted) << "nothing of this drive contradicts its map";
     predicted.clear();
     for (const Label label : result.labels) predicted.push_back(io::semantic_kitti_label(label));
     metrics.add_scan(real.points, 4, real.labels, predicted);

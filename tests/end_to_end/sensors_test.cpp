@@ -94,7 +94,8 @@ TEST(Sensors, TwoAtOnce) {
     for (int i = 0; i < 5; ++i) {
       const Eigen::Isometry3d T_map_base = pose(0.4 * i, 0.0, 0.0);
       const TwoSensors sensors(T_map_base, static_cast<unsigned>(i));
-      for (const Score& score : sensors.scores(grid.process(sensors.scans, T_map_base))) {
+      for (const Score& score :
+           sensors.scores(grid.process({.scans = sensors.scans, .T_map_base = T_map_base}))) {
         EXPECT_GE(score.ground_recall(), 0.985) << "scan " << i;
         EXPECT_GE(score.obstacle_recall(), 0.98) << "scan " << i;
         // The paper's filter tests every point and takes some at walls' feet for outliers.
@@ -109,7 +110,7 @@ TEST(Sensors, EachMountingCounts) {
   TwoSensors sensors(pose(0.0, 0.0, 0.0), 1);
   sensors.scans[1].T_base_sensor = sensors.mountings[0];
   GroundGrid grid;
-  const ScanResult result = grid.process(sensors.scans, pose(0.0, 0.0, 0.0));
+  const ScanResult result = grid.process({.scans = sensors.scans});
   EXPECT_LT(sensors.scores(result)[1].ground_recall(), 0.8);
 }
 
@@ -131,13 +132,13 @@ TEST(Sensors, OneAfterAnother) {
 TEST(Sensors, AReflectionIsAnOutlierForEitherSensor) {
   TwoSensors sensors(pose(0.0, 0.0, 0.0), 1);
   GroundGrid grid;
-  for (int i = 0; i < 5; ++i) grid.process(sensors.scans, pose(0.0, 0.0, 0.0));
+  for (int i = 0; i < 5; ++i) grid.process({.scans = sensors.scans});
   for (int i = 0; i < 2; ++i) {
     const auto height = static_cast<float>(sensors.mountings[i].translation().z());
     sensors.simulated[i].records.push_back({5.0F, -2.5F, -height - 1.5F, 0.0F, 0.0});
     sensors.scans[i].points = sensors.simulated[i].view();
   }
-  const ScanResult result = grid.process(sensors.scans, pose(0.0, 0.0, 0.0));
+  const ScanResult result = grid.process({.scans = sensors.scans});
   EXPECT_EQ(result.outlier, 2U);
   EXPECT_EQ(result.labels[sensors.simulated[0].records.size() - 1], Label::outlier);
   EXPECT_EQ(result.labels.back(), Label::outlier);

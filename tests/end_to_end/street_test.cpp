@@ -129,7 +129,7 @@ KerbLabels kerb_labels(const Config& config) {
 
 TEST(Street, AKerbHigherThanTheGreatestStepIsAnObstacle) {
   Config config;
-  config.max_step_m = 0.08;
+  config.labels.max_step_m = 0.08;
   const KerbLabels labels = kerb_labels(config);
   EXPECT_GT(labels.face, 300U);
   EXPECT_GT(labels.elsewhere, 20000U);
@@ -139,9 +139,9 @@ TEST(Street, AKerbHigherThanTheGreatestStepIsAnObstacle) {
 
 TEST(Street, ALowerOneIsGround) {
   Config config;
-  config.max_step_m = 0.14;
+  config.labels.max_step_m = 0.14;
   EXPECT_LT(kerb_labels(config).face_share(), 0.03);
-  config.max_step_m = 0.0;
+  config.labels.max_step_m = 0.0;
   EXPECT_LT(kerb_labels(config).face_share(), 0.03);
 }
 
@@ -151,7 +151,7 @@ TEST(Street, ARoadThatRisesThirtyPercentHasNoStep) {
   scene.boxes = {{{10.0, -1.0, -1.0}, {14.0, 1.0, 6.0}}};
   Config config;
   GroundGrid without(config);
-  config.max_step_m = 0.05;
+  config.labels.max_step_m = 0.05;
   GroundGrid with_steps(config);
   const double recall = drive(with_steps, scene, {}, kRoofMount).ground_recall();
   EXPECT_GT(recall, 0.98);
@@ -256,13 +256,8 @@ TEST(Street, TheOwnVehicleAndNearPointsAreUnknown) {
   const SimulatedScan simulated =
       cast_scan(scene, {}, Eigen::Isometry3d::Identity(), kRoofMount, 1);
   Config config;
-  config.own_vehicle_min_x_m = 0.9;
-  config.own_vehicle_max_x_m = 2.1;
-  config.own_vehicle_min_y_m = -0.9;
-  config.own_vehicle_max_y_m = 0.9;
-  config.own_vehicle_min_z_m = 0.2;
-  config.own_vehicle_max_z_m = 1.0;
-  config.min_range_m = 5.0;
+  config.vehicle.ego_vehicle_box_m = {0.9, 2.1, -0.9, 0.9, 0.2, 1.0};
+  config.vehicle.min_range_m = 5.0;
   SensorScan scan;
   scan.points = simulated.view();
   scan.T_base_sensor = kRoofMount;
@@ -274,7 +269,7 @@ TEST(Street, TheOwnVehicleAndNearPointsAreUnknown) {
     const bool near = p.x * p.x + p.y * p.y + p.z * p.z < 25.0F;
     ASSERT_EQ(result.labels[i] == Label::unknown, near) << p.x << ' ' << p.y << ' ' << p.z;
   }
-  config.min_range_m = 0.0;
+  config.vehicle.min_range_m = 0.0;
   GroundGrid with_box(config);
   const ScanResult boxed = with_box.process(scan);
   for (std::size_t i = 0; i < simulated.records.size(); ++i) {

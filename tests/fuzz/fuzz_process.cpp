@@ -39,17 +39,19 @@ struct Call {
 
 Config any_config(InputBytes& bytes) {
   Config config = bytes.below(4) == 0 ? Config::paper() : Config{};
-  config.cell_size_m = 0.05 * (7 + bytes.below(40));  // the least map is 3 m wide
-  config.map_extent_m = config.cell_size_m * (9 + bytes.below(kMaxCells - 8));
+  config.map.resolution_m = 0.05 * (7 + bytes.below(40));  // the least map is 3 m wide
+  config.map.extent_m = config.map.resolution_m * (9 + bytes.below(kMaxCells - 8));
   const unsigned changes = bytes.below(8);
   for (unsigned i = 0; i < changes; ++i) {
     const auto all = parameters();
     const Parameter& parameter = all[bytes.below(static_cast<unsigned>(all.size()))];
-    // A large map or many threads would only be slow.
-    if (parameter.name == "cell_size_m" || parameter.name == "map_extent_m" ||
-        parameter.name == "threads")
-      continue;
+    // A large map would only be slow.
+    if (parameter.name == "resolution_m" || parameter.name == "extent_m") continue;
     std::string value = std::to_string(bytes.number());
+    const unsigned others = parameter.name == "anchor_m"            ? 1
+                            : parameter.name == "ego_vehicle_box_m" ? 5
+                                                                    : 0;
+    for (unsigned other = 0; other < others; ++other) value += ',' + std::to_string(bytes.number());
     if (bytes.below(8) == 0) value = bytes.text(4);
     try {
       set_parameter(config, parameter.name, value);
@@ -138,8 +140,9 @@ Call turned_round(const Call& call) {
 }
 
 ScanResult process(GroundGrid& grid, const Call& call) {
-  if (call.within_scan) return grid.process(call.scans, call.begin, call.end);
-  return grid.process(call.scans, call.end);
+  ScanRequest request{.scans = call.scans, .T_map_base = call.end};
+  if (call.within_scan) request.T_map_base_begin = call.begin;
+  return grid.process(request);
 }
 
 void check_result(const ScanResult& result, const Call& call) {
@@ -174,7 +177,7 @@ Terrain terrain_of(const GroundGrid& grid) {
   const TerrainView view = grid.terrain();
   const auto cells = static_cast<std::size_t>(view.size) * static_cast<std::size_t>(view.size);
   require(view.relative_height.size() == cells && view.confidence.size() == cells &&
-              view.statistics.size() == cells,
+              (cells == 0 || view.statistics != nullptr),
           "the map has one value for each cell");
   for (const float height : view.relative_height) require(std::isfinite(height), "heights exist");
   for (const float confidence : view.confidence)
@@ -204,10 +207,9 @@ void check_same(const ScanResult& one, const ScanResult& turned, const Call& cal
 }
 
 void run(InputBytes bytes) {
-  Config config = any_config(bytes);
+  const Config config = any_config(bytes);
   GroundGrid grid(config);
-  config.threads = 2;
-  GroundGrid other(config);
+  GroundGrid other(config, 2);
   const unsigned calls = 1 + bytes.below(5);
   for (unsigned i = 0; i < calls && !bytes.empty(); ++i) {
     if (bytes.below(8) == 0) {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "groundgrid/terrain_view.hpp"
+#include "core/map/cell_statistics.hpp"
 
 namespace groundgrid::test {
 
@@ -13,7 +13,7 @@ namespace groundgrid::test {
 struct SmallMap {
   explicit SmallMap(int cells, double cell_size = 0.5)
       : size(cells),
-        cell_size_m(cell_size),
+        resolution_m(cell_size),
         height(static_cast<std::size_t>(cells * cells), NAN),
         confidence(height.size(), 0.0F),
         statistics(height.size()) {}
@@ -28,18 +28,18 @@ struct SmallMap {
   [[nodiscard]] TerrainView view() const {
     TerrainView view;
     view.size = size;
-    view.cell_size_m = cell_size_m;
+    view.resolution_m = resolution_m;
     view.min_x_m = min_x_m;
     view.min_y_m = min_y_m;
     view.z_origin_m = z_origin_m;
     view.relative_height = height;
     view.confidence = confidence;
-    view.statistics = statistics;
+    view.statistics = statistics.data();
     return view;
   }
 
   int size;
-  double cell_size_m;
+  double resolution_m;
   double min_x_m = 0.0;
   double min_y_m = 0.0;
   double z_origin_m = 0.0;

@@ -227,7 +227,7 @@ TEST(TerrainMosaic, MemoryDoesNotGrowOverFiveKilometres) {
   const test::TemporaryFolder folder;
   TerrainMosaic mosaic(folder / "terrain.tif");
   SmallMap map = noisy_map(364, 0.0, 0.0, 1);
-  map.cell_size_m = 0.33;
+  map.resolution_m = 0.33;
   std::size_t most = 0;
   for (int scan = 0; scan < 250; ++scan) {
     map.min_x_m = 0.33 * std::round(20.0 * scan / 0.33);
@@ -284,7 +284,7 @@ TEST(TerrainMosaic, RefusesViewsThatDoNotBelongTogether) {
   EXPECT_THROW(mosaic.add(SmallMap(3, 0.25).view()), std::invalid_argument);
   SmallMap map(3, 0.5);
   TerrainView view = map.view();
-  view.statistics = view.statistics.first(8);
+  view.confidence = view.confidence.first(8);
   EXPECT_THROW(mosaic.add(view), std::invalid_argument);
   map.min_x_m = 1e300;
   EXPECT_THROW(mosaic.add(map.view()), std::invalid_argument);

@@ -200,7 +200,7 @@ TEST(TerrainRaster, RefusesViewsThatDoNotHoldTogether) {
   view.size = 4;
   EXPECT_THROW(write(view), std::invalid_argument);
   view = map.view();
-  view.cell_size_m = 0.0;
+  view.resolution_m = 0.0;
   EXPECT_THROW(write(view), std::invalid_argument);
   view = map.view();
   view.min_y_m = std::numeric_limits<double>::infinity();

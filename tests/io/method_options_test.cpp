@@ -48,36 +48,37 @@ TEST(MethodOptions, HaveAFlagForEveryParameter) {
 }
 
 TEST(MethodOptions, TakeValuesOfEveryKind) {
-  const Config config =
-      config_from("--sensor-height-m 1.73 --cell-size-m=0.25 --own-vehicle-min-x-m -2 --threads 3");
-  EXPECT_EQ(config.sensor_height_m, 1.73);
-  EXPECT_EQ(config.cell_size_m, 0.25);
-  EXPECT_EQ(config.own_vehicle_min_x_m, -2.0);
-  EXPECT_EQ(config.threads, 3);
+  const Config config = config_from(
+      "--sensor-height-m 1.73 --resolution-m=0.25 --ego-vehicle-box-m -2,3,-1,1,-2,0.5");
+  EXPECT_EQ(config.vehicle.sensor_height_m, 1.73);
+  EXPECT_EQ(config.map.resolution_m, 0.25);
+  EXPECT_EQ(config.vehicle.ego_vehicle_box_m, (Box{-2.0, 3.0, -1.0, 1.0, -2.0, 0.5}));
 }
 
 TEST(MethodOptions, LetTheFileWinOverThePresetAndFlagsOverTheFile) {
   const Config config = config_from_file(
-      "# for a small robot\ncell_size_m = 0.2  # metres\nmap-extent-m = \"50\"\n\nmin_range_m=1\n",
+      "# for a small robot\nresolution_m = 0.2  # metres\nextent-m = \"50\"\n\nmin_range_m=1\n",
       "--preset paper --min-range-m 2");
-  EXPECT_EQ(config.cell_size_m, 0.2);
-  EXPECT_EQ(config.map_extent_m, 50.0);
-  EXPECT_EQ(config.min_range_m, 2.0);
-  EXPECT_EQ(config.point_angle_deg, Config::paper().point_angle_deg);
+  EXPECT_EQ(config.map.resolution_m, 0.2);
+  EXPECT_EQ(config.map.extent_m, 50.0);
+  EXPECT_EQ(config.vehicle.min_range_m, 2.0);
+  EXPECT_EQ(config.paper_only.azimuth_resolution_deg,
+            Config::paper().paper_only.azimuth_resolution_deg);
 }
 
 TEST(MethodOptions, NameWhatIsWrong) {
   EXPECT_TRUE(
-      contains(message_of<UsageError>([] { config_from("--cell-size-m 1e9"); }), "cell_size_m"));
+      contains(message_of<UsageError>([] { config_from("--resolution-m 1e9"); }), "resolution_m"));
   EXPECT_TRUE(contains(message_of<UsageError>([] { config_from_file("cell_size = 1\n"); }),
                        "p.toml, line 1: unknown parameter 'cell_size'"));
-  EXPECT_TRUE(contains(message_of<UsageError>([] { config_from_file("[map]\ncell_size_m = 1\n"); }),
-                       "[map]: parameters stand at the top level, in no table"));
+  EXPECT_TRUE(
+      contains(message_of<UsageError>([] { config_from_file("[map]\nresolution_m = 1\n"); }),
+               "[map]: parameters stand at the top level, in no table"));
   EXPECT_TRUE(contains(
-      message_of<UsageError>([] { config_from_file("cell_size_m = 1\ncell-size-m = 2\n"); }),
-      "p.toml, line 2: cell-size-m is given for the second time"));
-  EXPECT_THROW(config_from_file("cell_size_m =\n"), UsageError);
-  EXPECT_THROW(config_from_file("cell_size_m = [1, 2]\n"), UsageError);
+      message_of<UsageError>([] { config_from_file("resolution_m = 1\nresolution-m = 2\n"); }),
+      "p.toml, line 2: resolution-m is given for the second time"));
+  EXPECT_THROW(config_from_file("resolution_m =\n"), UsageError);
+  EXPECT_THROW(config_from_file("resolution_m = [1, 2]\n"), UsageError);
   EXPECT_THROW(config_from("--config /nowhere/p.toml"), io::Error);
 }
 

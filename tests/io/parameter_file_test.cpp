@@ -47,6 +47,12 @@ TEST(ParameterFile, KeepsEveryDigitOfANumber) {
   EXPECT_EQ(given[4].value, "16");
 }
 
+TEST(ParameterFile, ListsKeepTheirOrder) {
+  const auto given = read("anchor_m = [1, -2.5] # x, y\n");
+  ASSERT_EQ(given.size(), 1U);
+  EXPECT_EQ(given[0].value, "[1, -2.5]");
+}
+
 TEST(ParameterFile, MayHoldNothing) {
   EXPECT_TRUE(read("").empty());
   EXPECT_TRUE(read(" # nothing\n\n").empty());
@@ -58,14 +64,14 @@ class BadValue : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BadValue, IsRefusedWithFileLineAndName) {
   const std::string message =
-      message_for("a = 1\nmap_extent_m = " + std::string(GetParam()) + "\nb = 2\n");
-  EXPECT_TRUE(contains(message, "p.toml, line 2: map_extent_m: expected one number")) << message;
+      message_for("a = 1\nextent_m = " + std::string(GetParam()) + "\nb = 2\n");
+  EXPECT_TRUE(contains(message, "p.toml, line 2: extent_m: expected a number")) << message;
   EXPECT_FALSE(contains(message, "\n"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Values, BadValue,
-                         ::testing::Values("[120", "[120]", "120]", "[1, 2]", "[", "{a = 1", "",
-                                           "# 3", "120 130", "1, 2", "\"120", "120\"", "'120\"",
+                         ::testing::Values("[120", "[[120]]", "120]", "[1, {a = 2}]", "[", "{a = 1",
+                                           "", "# 3", "120 130", "1, 2", "\"120", "120\"", "'120\"",
                                            "\"\"\"120", "\"1\" \"2\"", "=120", "on", "1.", ".5",
                                            "01", "\"\\q\"", "2026-11-22", "12:00:00"));
 
@@ -79,22 +85,23 @@ TEST(ParameterFile, SeesNoOtherLettersThanThoseOfAscii) {
 }
 
 TEST(ParameterFile, SaysWhyAValueIsNone) {
-  EXPECT_TRUE(message_for("cell_size_m = .5\n")
-                  .ends_with("p.toml, line 1: cell_size_m: expected one number, true, false or "
-                             "quoted word, got '.5' (bad float: invalid format)"));
-  EXPECT_TRUE(message_for("cell_size_m = [1]\n").ends_with("got '[1]' (array)"));
-  EXPECT_TRUE(contains(message_for("cell_size_m =\n"), "got nothing (key_value_pair: missing"));
+  EXPECT_TRUE(
+      message_for("resolution_m = .5\n")
+          .ends_with("p.toml, line 1: resolution_m: expected a number, a list of numbers or "
+                     "a quoted word, got '.5' (bad float: invalid format)"));
+  EXPECT_TRUE(message_for("anchor_m = [[1]]\n").ends_with("got '[[1]]' (array)"));
+  EXPECT_TRUE(contains(message_for("resolution_m =\n"), "got nothing (key_value_pair: missing"));
 }
 
 TEST(ParameterFile, RefusesOtherLines) {
-  EXPECT_TRUE(contains(message_for("[map]\ncell_size_m = 1\n"),
+  EXPECT_TRUE(contains(message_for("[map]\nresolution_m = 1\n"),
                        "p.toml, line 1: [map]: parameters stand at the top level"));
-  EXPECT_TRUE(contains(message_for("map.cell_size_m = 1\n"),
-                       "p.toml, line 1: map.cell_size_m = 1: parameters stand at the top level"));
-  EXPECT_TRUE(contains(message_for("map = {cell_size_m = 1}\n"), "parameters stand at the top"));
-  EXPECT_TRUE(contains(message_for("\ncell_size_m 1\n"),
-                       "p.toml, line 2: expected name = value, got 'cell_size_m 1'"));
-  EXPECT_TRUE(contains(message_for("cell_size_m\n"), "name = value"));
+  EXPECT_TRUE(contains(message_for("map.resolution_m = 1\n"),
+                       "p.toml, line 1: map.resolution_m = 1: parameters stand at the top level"));
+  EXPECT_TRUE(contains(message_for("map = {resolution_m = 1}\n"), "parameters stand at the top"));
+  EXPECT_TRUE(contains(message_for("\nresolution_m 1\n"),
+                       "p.toml, line 2: expected name = value, got 'resolution_m 1'"));
+  EXPECT_TRUE(contains(message_for("resolution_m\n"), "name = value"));
   EXPECT_TRUE(contains(message_for("= 1\n"), "name = value"));
   EXPECT_THROW(read_parameter_file("/nowhere/p.toml"), io::Error);
 }
@@ -105,7 +112,7 @@ TEST(ParameterFile, RefusesNestingWithoutFollowingIt) {
   EXPECT_TRUE(contains(message_for("a = " + deep + "\n"),
                        "line 1: expected name = value in at most 500 bytes, got 30004: 'a = [[["));
   EXPECT_TRUE(contains(message_for(deep), "[...: parameters stand at the top level"));
-  EXPECT_TRUE(contains(message_for("a = " + std::string(496, '[')), "a: expected one number"));
+  EXPECT_TRUE(contains(message_for("a = " + std::string(496, '[')), "a: expected a number"));
   EXPECT_TRUE(contains(message_for("a" + std::string(30000, '\n') + "b"), "line 1: expected name"));
 }
 
@@ -117,7 +124,7 @@ TEST(ParameterFile, RefusesWhatIsTooLongForOne) {
 
 // What set_parameter says of the one value in this file.
 std::string refusal_of(const std::string& value) {
-  const auto given = read("cell_size_m = " + value + "\n");
+  const auto given = read("resolution_m = " + value + "\n");
   return message_of<std::invalid_argument>([&given] {
     Config config;
     set_parameter(config, given.at(0).name, given.at(0).value);
@@ -127,7 +134,7 @@ std::string refusal_of(const std::string& value) {
 TEST(ParameterFile, LeavesInfiniteNumbersToTheRanges) {
   for (const char* number : {"inf", "-inf", "nan"})
     EXPECT_TRUE(contains(refusal_of(number), "not a number"));
-  EXPECT_TRUE(contains(refusal_of("1e400"), "cell_size_m"));
+  EXPECT_TRUE(contains(refusal_of("1e400"), "resolution_m"));
   EXPECT_TRUE(contains(refusal_of("1e400"), "must be between"));
 }
 

@@ -89,11 +89,11 @@ TEST(Params, AreListedByStageWithUnitRangeAndSymbol) {
 TEST(Params, ExplainThemselvesInToml) {
   const std::string toml = output_of("--toml");
   EXPECT_TRUE(contains(toml,
-                       "\n# Decay of confidence where a scan shows no ground (eq. 8).\n"
-                       "# 1 to 1e9; the paper's θ\nconfidence_decay = 5.0\n"));
+                       "\n# Decay of confidence if a scan shows no ground (eq. 8).\n"
+                       "# 1 to 1e9; the paper's θ\nconfidence_decay = 5\n"));
   EXPECT_TRUE(contains(toml, "\n# m, -10 to 100, or \"none\"\n# sensor_height_m = \"none\"\n"));
   EXPECT_TRUE(contains(toml, "\nmethod = \"standard\"\n"));
-  EXPECT_TRUE(contains(toml, "\nthreads = 1\n"));
+  EXPECT_TRUE(contains(toml, "# anchor_m = \"none\"\n"));
 }
 
 TEST(Params, HaveRangesInJson) {
@@ -122,7 +122,7 @@ TEST(Params, AreThePageInDocs) {
 TEST(Params, HaveBothPresetsOnThePage) {
   const std::string page = output_of("--markdown");
   EXPECT_TRUE(contains(page, "\n| `ground_threshold_m` | 0.2 | **0.3** | m | 0 to 10 | h_g | "));
-  EXPECT_TRUE(contains(page, "\n| `cell_size_m` | 0.33 | 0.33 | m | 0.02 to 10 | R | "));
+  EXPECT_TRUE(contains(page, "\n| `resolution_m` | 0.33 | 0.33 | m | 0.02 to 10 | R | "));
 }
 
 TEST(Params, TakeOneFormAtATime) {

@@ -226,7 +226,7 @@ TEST_F(SegmentInput, WarnsWhereNoPointHasAnAnswer) {
   for (const std::string name : {"nan", "far"}) {
     const ProgramRun run = segment_input(folder / "scans" / (name + ".bin"));
     ASSERT_EQ(run.exit_code, 0) << run.words;
-    EXPECT_TRUE(contains(run.words, "none of its 50 points has an answer"));
+    EXPECT_TRUE(contains(run.words, "none of its 50 points has a label"));
     EXPECT_EQ(labels(name), std::string(200, '\0'));
   }
 }

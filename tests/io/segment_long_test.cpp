@@ -65,9 +65,9 @@ TEST_F(Segment, SaysWhichParametersMakeTheMapTooLarge) {
   dataset.add_sequence("00", 1);
   for (const std::string more : {"", " --keep-going"}) {
     const ProgramRun run =
-        segment("--cell-size-m 0.04 --map-extent-m 160" + more, "ulimit -v 1000000; ");
+        segment("--resolution-m 0.04 --extent-m 160" + more, "ulimit -v 1000000; ");
     EXPECT_EQ(run.exit_code, 1);
-    EXPECT_TRUE(contains(run.words, "4000 x 4000 cells (map_extent_m = 160, cell_size_m = 0.04)"));
+    EXPECT_TRUE(contains(run.words, "4000 x 4000 cells (extent_m = 160, resolution_m = 0.04)"));
     EXPECT_TRUE(contains(run.words, "about 2400 MB"));
   }
 }

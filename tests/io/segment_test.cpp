@@ -30,13 +30,13 @@ TEST_F(Segment, WritesALabelForEveryPoint) {
 TEST_F(Segment, RecordsTheRun) {
   dataset.add_sequence("00", 2);
   dataset.add_sequence("01", 1);
-  ASSERT_EQ(segment("--preset paper --cell-size-m 0.4").exit_code, 0);
+  ASSERT_EQ(segment("--preset paper --resolution-m 0.4").exit_code, 0);
   const json run = record();
   EXPECT_EQ(run["complete"], true);
   EXPECT_EQ(run["arguments"][0], "segment");
   EXPECT_EQ(run["arguments"].back(), "0.4");
   EXPECT_EQ(run["preset"], "paper");
-  EXPECT_EQ(run["config"]["cell_size_m"], 0.4);
+  EXPECT_EQ(run["config"]["resolution_m"], 0.4);
   EXPECT_EQ(run["config"]["sensor_height_m"], nullptr);
   EXPECT_EQ(run["input"], dataset.path().string());
   EXPECT_EQ(run["counts"]["scans"], 3);

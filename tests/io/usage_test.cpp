@@ -31,30 +31,30 @@ INSTANTIATE_TEST_SUITE_P(
     Arguments, WrongUsage,
     ::testing::Values("", "paint", "segment", "segment /tmp", "segment /tmp --output x --colour",
                       "evaluate", "evaluate /tmp --preset best", "evaluate /tmp --json --csv",
-                      "evaluate /tmp --cell-size-m", "evaluate /tmp --cell-size-m wide",
-                      "evaluate /tmp --cell-size-m ''", "evaluate /tmp --cell-size-m 1e9",
+                      "evaluate /tmp --resolution-m", "evaluate /tmp --resolution-m wide",
+                      "evaluate /tmp --resolution-m ''", "evaluate /tmp --resolution-m 1e9",
                       "evaluate /tmp --threads -1", "evaluate /tmp --threads 1.5",
                       "evaluate /tmp --predictions /tmp --preset paper",
-                      "evaluate /tmp --predictions /tmp --cell-size-m 0.3"));
+                      "evaluate /tmp --predictions /tmp --resolution-m 0.3"));
 
 TEST(Usage, AnArrayInAParameterFileIsNoValue) {
   const test::TemporaryFolder folder;
-  test::write_file(folder / "p.toml", "map_extent_m = [120\n");
+  test::write_file(folder / "p.toml", "extent_m = [120\n");
   const ProgramRun run =
       run_program("evaluate /tmp --config " + test::shell_word(folder / "p.toml"));
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(contains(run.words, (folder / "p.toml").string()));
-  EXPECT_TRUE(contains(run.words, "map_extent_m"));
+  EXPECT_TRUE(contains(run.words, "extent_m"));
 }
 
 TEST(Usage, AValueOutOfRangeInAParameterFileIsPlaced) {
   const test::TemporaryFolder folder;
-  test::write_file(folder / "p.toml", "# metres\ncell_size_m = 1e9\n");
+  test::write_file(folder / "p.toml", "# metres\nresolution_m = 1e9\n");
   const ProgramRun run =
       run_program("evaluate /tmp --config " + test::shell_word(folder / "p.toml"));
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_TRUE(contains(run.words, (folder / "p.toml").string() + ", line 2: "));
-  EXPECT_TRUE(contains(run.words, "cell_size_m"));
+  EXPECT_TRUE(contains(run.words, "resolution_m"));
 }
 
 class BadInput : public ::testing::TestWithParam<const char*> {};

@@ -36,7 +36,7 @@ TEST(Allocation, ProcessAllocatesNothingOnceWarm) {
   EXPECT_EQ(allocations_once_warm(GroundGrid(Config{})), 0U);
   EXPECT_EQ(allocations_once_warm(GroundGrid(Config::paper())), 0U);
   Config steps;
-  steps.max_step_m = 0.08;
+  steps.labels.max_step_m = 0.08;
   EXPECT_EQ(allocations_once_warm(GroundGrid(steps)), 0U);
 }
 
@@ -84,9 +84,7 @@ TEST(Allocation, ProcessInAnArenaOfTheCallerAllocatesNothingOnceWarm) {
 }
 
 TEST(Allocation, ProcessOnTwoThreadsAllocatesNothingOnceWarm) {
-  Config config;
-  config.threads = 2;
-  EXPECT_EQ(allocations_once_warm(GroundGrid(config)), 0U);
+  EXPECT_EQ(allocations_once_warm(GroundGrid(Config{}, 2)), 0U);
 }
 #endif
 
@@ -101,9 +99,9 @@ TEST(Allocation, CorrectionOfMotionAllocatesNothingOnceWarm) {
   scan.time_end = 0.1;
   GroundGrid grid;
   const std::span<const SensorScan> scans(&scan, 1);
-  grid.process(scans, begin, end);
+  grid.process({.scans = scans, .T_map_base = end, .T_map_base_begin = begin});
   const std::size_t before = testing::allocations();
-  grid.process(scans, begin, end);
+  grid.process({.scans = scans, .T_map_base = end, .T_map_base_begin = begin});
   EXPECT_EQ(testing::allocations() - before, 0U);
 }
 
@@ -130,7 +128,7 @@ TEST(Allocation, LayersOfTheTerrainAllocateNothingOnceWarm) {
 TEST(Allocation, ResetKeepsTheBuffers) {
   const std::vector<DriveScan> drive = street_drive(1);
   Config config;
-  config.sensor_height_m = 1.75;  // an estimate of the height may allocate
+  config.vehicle.sensor_height_m = 1.75;  // an estimate of the height may allocate
   GroundGrid grid(config);
   grid.process(drive[0].scan());
   const std::size_t before = testing::allocations();

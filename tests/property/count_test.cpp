@@ -35,7 +35,7 @@ void expect_consistent(const ScanResult& result, std::size_t points) {
 TEST(Count, NoPoints) {
   GroundGrid grid;
   expect_consistent(grid.process(SensorScan{}), 0);
-  expect_consistent(grid.process(std::span<const SensorScan>{}, Eigen::Isometry3d::Identity()), 0);
+  expect_consistent(grid.process(ScanRequest{}), 0);
   EXPECT_GT(grid.terrain().size, 0);
 }
 
@@ -71,7 +71,7 @@ TEST(Count, UnanswerablePointsAreUnknownAndDisturbNothing) {
                  good.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
   }
   Config config;
-  config.sensor_height_m = 1.75;  // an estimate of it may lose the vote of a cell
+  config.vehicle.sensor_height_m = 1.75;  // an estimate of it may lose the vote of a cell
   GroundGrid with(config);
   GroundGrid without(config);
   const ScanResult result = with.process(scan_of(mixed));
@@ -119,7 +119,7 @@ TEST(Count, SeveralSensorsKeepTheirOrder) {
   SensorScan scans[3] = {scan_of(far), scan_of(none), drive[0].scan()};
   for (SensorScan& scan : scans) scan.T_base_sensor = testing::pose(0.0, 0.0, 1.75);
   GroundGrid grid;
-  const ScanResult result = grid.process(scans, Eigen::Isometry3d::Identity());
+  const ScanResult result = grid.process({.scans = scans});
   expect_consistent(result, 10 + drive[0].size());
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(result.labels[i], Label::unknown);
   EXPECT_GT(result.ground, 1000U);

@@ -29,20 +29,14 @@ std::vector<DriveScan> real_drive(const std::filesystem::path& dataset, std::siz
 
 Config with_steps() {
   Config config;
-  config.max_step_m = 0.05;
-  return config;
-}
-
-Config with_threads(Config config, int threads) {
-  config.threads = threads;
+  config.labels.max_step_m = 0.05;
   return config;
 }
 
 void expect_same_bits_for_all_threads(const Config& config, const std::vector<DriveScan>& drive) {
   const DriveResult expected = run_drive(config, drive);
   for (const int threads : {1, 2, 3, 8})
-    EXPECT_TRUE(same_bits(run_drive(with_threads(config, threads), drive), expected))
-        << threads << " threads";
+    EXPECT_TRUE(same_bits(run_drive(config, drive, threads), expected)) << threads << " threads";
 }
 
 /// Shuffles the points of every scan; element i of an order says where point i came from.
@@ -79,7 +73,7 @@ void expect_same_bits_for_any_order(const Config& config, const std::vector<Driv
   for (const int threads : {1, 3}) {
     std::vector<DriveScan> shuffled = drive;
     const auto orders = shuffle(shuffled, static_cast<unsigned>(threads));
-    DriveResult result = run_drive(with_threads(config, threads), shuffled);
+    DriveResult result = run_drive(config, shuffled, threads);
     unshuffle(result, orders);
     EXPECT_TRUE(same_bits(result, expected)) << threads << " threads";
   }
@@ -114,9 +108,8 @@ TEST(Determinism, AnyOrderOfThePointsOnRealScans) {
 
 TEST(Determinism, RepeatedRuns) {
   const std::vector<DriveScan> drive = street_drive(4);
-  const Config config = with_threads({}, 3);
-  const DriveResult first = run_drive(config, drive);
-  for (int run = 0; run < 5; ++run) EXPECT_TRUE(same_bits(run_drive(config, drive), first));
+  const DriveResult first = run_drive({}, drive, 3);
+  for (int run = 0; run < 5; ++run) EXPECT_TRUE(same_bits(run_drive({}, drive, 3), first));
 }
 
 TEST(Determinism, TheDriveHasSomethingOfEverything) {
@@ -133,7 +126,7 @@ TEST(Determinism, TwoObjectsInTwoThreadsDoNotMeet) {
   const DriveResult expected = run_drive(Config{}, drive);
   for (const int threads : {1, 2}) {
     DriveResult results[2];
-    const auto work = [&](int i) { results[i] = run_drive(with_threads({}, threads), drive); };
+    const auto work = [&](int i) { results[i] = run_drive({}, drive, threads); };
     std::thread other(work, 0);
     work(1);
     other.join();

@@ -109,17 +109,6 @@ TEST(Executor, GivesTheSameBitsInAnyOrderOnAnyThreads) {
   expect_same_bits_by_any(Config::paper());
 }
 
-TEST(Executor, DecidesInsteadOfTheConfiguration) {
-  const std::vector<DriveScan> drive = street_drive(1);
-  Config config;
-  config.threads = 8;
-  FunctionExecutor executor(2, run_forwards);
-  GroundGrid grid(config, executor);
-  run_drive(grid, drive);
-  EXPECT_GT(executor.runs(), 0);
-  EXPECT_EQ(grid.config().threads, 8);
-}
-
 TEST(Executor, OfOneThreadIsNotAskedToRunAnything) {
   FunctionExecutor executor(1, run_forwards);
   GroundGrid grid(Config{}, executor);
@@ -145,7 +134,7 @@ TEST(Executor, OfNoThreadIsRefused) {
   }
   FunctionExecutor executor(2, run_forwards);
   Config config;
-  config.cell_size_m = -1.0;
+  config.map.resolution_m = -1.0;
   EXPECT_THROW(GroundGrid(config, executor), std::invalid_argument);
 }
 
@@ -206,9 +195,7 @@ TEST(OneThread, IsCounted) {
 // Those that oneTBB starts stay until the program ends.
 TEST(OneThread, StartsNoOther) {
   const std::size_t before = threads_of_this_program();
-  Config config;
-  config.threads = 1;
-  GroundGrid grid(config);
+  GroundGrid grid(Config{}, 1);
   run_drive(grid, street_drive(2));
   EXPECT_FALSE(grid.standard_deviation().empty());
   EXPECT_EQ(threads_of_this_program(), before);

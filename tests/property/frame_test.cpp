@@ -48,7 +48,7 @@ TEST(Frame, AnExactMoveGivesTheSameBits) {
     // 1.75 and the estimate have few mantissa bits, 1.73 has all of them.
     for (const std::optional<double> height :
          {std::optional<double>{}, std::optional(1.75), std::optional(1.73)}) {
-      config.sensor_height_m = height;
+      config.vehicle.sensor_height_m = height;
       const std::vector<DriveScan> drive = street_drive(4);
       EXPECT_TRUE(same_answers(run_drive(config, drive), run_drive(config, moved(drive, kExact))))
           << "sensor height " << height.value_or(0.0);
@@ -104,8 +104,8 @@ TEST(Frame, TheTerrainComesOutInTheMapFrame) {
   const TerrainView terrain = grid.terrain();
   const Eigen::Vector3d sensor = drive.back().T_map_base.translation();
   // Three metres ahead of the sensor there is road, 1.75 m below it.
-  const int column = static_cast<int>((sensor.x() + 3.0 - terrain.min_x_m) / terrain.cell_size_m);
-  const int row = static_cast<int>((sensor.y() - 1.5 - terrain.min_y_m) / terrain.cell_size_m);
+  const int column = static_cast<int>((sensor.x() + 3.0 - terrain.min_x_m) / terrain.resolution_m);
+  const int row = static_cast<int>((sensor.y() - 1.5 - terrain.min_y_m) / terrain.resolution_m);
   EXPECT_NEAR(terrain.cell(column, row).height, kUtm.z(), 0.05);
 }
 

@@ -93,8 +93,9 @@ TEST(Input, AnswersMayBeWrittenIntoTheCallersMemory) {
     std::vector<Label> labels(drive_scan.size());
     std::vector<float> heights(drive_scan.size());
     const Eigen::Isometry3d& pose = drive_scan.T_map_base;
-    const ScanResult a = own.process(scans, pose);
-    const ScanResult b = given.process(scans, pose, pose, ScanOutput{labels, heights});
+    const ScanResult a = own.process({.scans = scans, .T_map_base = pose});
+    const ScanResult b =
+        given.process({.scans = scans, .T_map_base = pose, .output = ScanOutput{labels, heights}});
     EXPECT_EQ(b.labels.data(), labels.data());
     EXPECT_EQ(b.height_above_ground.data(), heights.data());
     EXPECT_TRUE(std::equal(a.labels.begin(), a.labels.end(), labels.begin(), labels.end()));
@@ -182,14 +183,17 @@ TEST_F(RejectedInput, CountsWhoseSumWrapsRoundToZero) {
   std::vector<SensorScan> scans(2, drive_[1].scan());
   for (SensorScan& scan : scans)
     scan.points.count = std::numeric_limits<std::size_t>::max() / 2 + 1;
-  EXPECT_THROW(grid_.process(scans, drive_[1].T_map_base), std::invalid_argument);
+  EXPECT_THROW(grid_.process({.scans = scans, .T_map_base = drive_[1].T_map_base}),
+               std::invalid_argument);
 }
 
 TEST_F(RejectedInput, ScansOnAWayLongerThanAJump) {
   const SensorScan scan = drive_[1].scan();
   Eigen::Isometry3d begin = drive_[1].T_map_base;
-  begin.translation().x() += grid_.config().pose_jump_m + 1.0;
-  EXPECT_THROW(grid_.process(std::span(&scan, 1), begin, drive_[1].T_map_base),
+  begin.translation().x() += kPoseJump_m + 1.0;
+  EXPECT_THROW(grid_.process({.scans = std::span(&scan, 1),
+                              .T_map_base = drive_[1].T_map_base,
+                              .T_map_base_begin = begin}),
                std::invalid_argument);
 }
 
@@ -215,12 +219,14 @@ TEST_F(RejectedInput, OutputsOfAnotherLength) {
   const Eigen::Isometry3d& pose = drive_[1].T_map_base;
   std::vector<Label> labels(drive_[1].size() + 1);
   std::vector<float> heights(drive_[1].size());
-  EXPECT_THROW(grid_.process(scans, pose, pose, ScanOutput{labels, heights}),
-               std::invalid_argument);
+  EXPECT_THROW(
+      grid_.process({.scans = scans, .T_map_base = pose, .output = ScanOutput{labels, heights}}),
+      std::invalid_argument);
   labels.resize(drive_[1].size());
   heights.pop_back();
-  EXPECT_THROW(grid_.process(scans, pose, pose, ScanOutput{labels, heights}),
-               std::invalid_argument);
+  EXPECT_THROW(
+      grid_.process({.scans = scans, .T_map_base = pose, .output = ScanOutput{labels, heights}}),
+      std::invalid_argument);
 }
 
 TEST_F(RejectedInput, ScansThatEndBeforeTheyBegin) {
@@ -234,7 +240,9 @@ TEST_F(RejectedInput, ScansThatEndBeforeTheyBegin) {
   const std::span<const SensorScan> scans(&scan, 1);
   for (const double time_end : {1.0, 0.5, std::nan("")}) {
     scan.time_end = time_end;
-    EXPECT_THROW(grid_.process(scans, begin, end), std::invalid_argument) << time_end;
+    EXPECT_THROW(grid_.process({.scans = scans, .T_map_base = end, .T_map_base_begin = begin}),
+                 std::invalid_argument)
+        << time_end;
   }
 }
 
@@ -250,7 +258,7 @@ TEST(Input, CellsOutsideOfTheTerrainAreRejected) {
 
 TEST(Input, ConfigsOutOfRangeAreRejected) {
   Config config;
-  config.cell_size_m = -1.0;
+  config.map.resolution_m = -1.0;
   EXPECT_THROW(GroundGrid{config}, std::invalid_argument);
 }
 

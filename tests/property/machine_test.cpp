@@ -118,7 +118,9 @@ class Answers {
     view.T_base_sensor = the_drive().T_base_sensor;
     view.time_end = 0.1;
     if (corrected)
-      add(grid_.process({&view, 1}, scan.T_map_base_begin, scan.T_map_base_end));
+      add(grid_.process({.scans = {&view, 1},
+                         .T_map_base = scan.T_map_base_end,
+                         .T_map_base_begin = scan.T_map_base_begin}));
     else
       add(grid_.process(view, scan.T_map_base_end));
   }
@@ -133,7 +135,7 @@ class Answers {
     hash.add_all(terrain.relative_height);
     hash.add_all(terrain.confidence);
     hash.add_all(grid_.standard_deviation());
-    for (const CellStatistics& cell : terrain.statistics) {
+    for (const CellStatistics& cell : statistics_of(terrain)) {
       hash.add(cell.sum);
       hash.add(cell.sum_squares);
       hash.add(cell.min);
@@ -194,7 +196,7 @@ TEST_P(SameBits, Paper) {
 
 TEST_P(SameBits, WithSteps) {
   Config config;
-  config.max_step_m = 0.08;
+  config.labels.max_step_m = 0.08;
   EXPECT_EQ(bits_of_drive(config),
             (Bits{"9eb68c9811462ec3", "94b2b8c7fa7df000", "66302964024c61a2"}));
 }

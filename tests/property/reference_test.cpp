@@ -19,8 +19,8 @@ namespace {
 
 using testing::DriveScan;
 
-void expect_same_as_reference(Config config, const std::vector<DriveScan>& drive) {
-  GroundGrid fast(config);
+void expect_same_as_reference(Config config, const std::vector<DriveScan>& drive, int threads = 1) {
+  GroundGrid fast(config, threads);
   config.method = Method::reference;
   GroundGrid plain(config);
   EXPECT_TRUE(
@@ -88,17 +88,16 @@ TEST_P(ReferenceOn, RandomCloudsHaveTheSameBits) {
                        std::nullopt});
     drive.push_back({{}, 3, testing::pose(6.0, 2.0, 0.1), std::nullopt});
     Config config;
-    config.map_extent_m = 60.0 + 30.0 * seed;
-    config.cell_size_m = seed == 1 ? 0.5 : 0.33;
-    config.threads = seed == 2 ? 3 : 1;
-    expect_same_as_reference(config, drive);
+    config.map.extent_m = 60.0 + 30.0 * seed;
+    config.map.resolution_m = seed == 1 ? 0.5 : 0.33;
+    expect_same_as_reference(config, drive, seed == 2 ? 3 : 1);
   }
 }
 
 TEST_P(ReferenceOn, ASimulatedStreetHasTheSameBits) {
   Config config;
   expect_same_as_reference(config, testing::street_drive(4));
-  config.max_step_m = 0.08;
+  config.labels.max_step_m = 0.08;
   expect_same_as_reference(config, testing::street_drive(2));
 }
 

@@ -28,8 +28,7 @@ TEST(State, ResetEqualsAFreshObject) {
   run_drive(grid, elsewhere);
   grid.reset();
   EXPECT_EQ(grid.terrain().size, 0);
-  const std::span<const SensorScan> none;
-  EXPECT_FALSE(grid.process(none, pose(0.0, 0.0, 0.0)).sensor_height_m.has_value());
+  EXPECT_FALSE(grid.process(ScanRequest{}).sensor_height_m.has_value());
   grid.reset();
   EXPECT_TRUE(same_bits(run_drive(grid, drive), run_drive(Config{}, drive)));
 }
@@ -50,13 +49,13 @@ TEST(State, TheMapIsKeptFromScanToScan) {
 
 TEST(State, ConfigIsKeptAsGiven) {
   Config config;
-  config.cell_size_m = 0.5;
-  config.map_extent_m = 50.0;
+  config.map.resolution_m = 0.5;
+  config.map.extent_m = 50.0;
   const GroundGrid grid(config);
-  EXPECT_EQ(grid.config().cell_size_m, 0.5);
+  EXPECT_EQ(grid.config().map.resolution_m, 0.5);
   GroundGrid working(config);
   working.process(street_drive(1)[0].scan());
-  EXPECT_EQ(working.terrain().cell_size_m, 0.5);
+  EXPECT_EQ(working.terrain().resolution_m, 0.5);
   EXPECT_NEAR(working.terrain().size * 0.5, 50.0, 0.51);
 }
 
@@ -72,8 +71,8 @@ TEST(State, APoseJumpRestartsTheMapAndSaysSo) {
 
   // What follows is as if the drive had begun there, on the same lattice.
   Config anchored;
-  anchored.grid_anchor_x_m = drive[0].T_map_base.translation().x();
-  anchored.grid_anchor_y_m = drive[0].T_map_base.translation().y();
+  const Eigen::Vector3d first = drive[0].T_map_base.translation();
+  anchored.map.anchor_m = {first.x(), first.y()};
   GroundGrid fresh(anchored);
   const ScanResult expected = fresh.process(drive[0].scan(), far);
   EXPECT_TRUE(std::equal(labels.begin(), labels.end(), expected.labels.begin()));
@@ -81,14 +80,49 @@ TEST(State, APoseJumpRestartsTheMapAndSaysSo) {
 }
 
 TEST(State, MovesUpToTheJumpAreNoJumps) {
-  Config config;
-  config.pose_jump_m = 5.0;
   const std::vector<DriveScan> drive = street_drive(1);
-  GroundGrid grid(config);
+  GroundGrid grid;
   grid.process(drive[0].scan(), pose(0.0, 0.0, 0.0));
-  EXPECT_FALSE(grid.process(drive[0].scan(), pose(4.9, 0.0, 0.0)).map_restarted);
-  EXPECT_FALSE(grid.process(drive[0].scan(), pose(4.9, 4.9, 0.0)).map_restarted);
-  EXPECT_TRUE(grid.process(drive[0].scan(), pose(4.9, 4.9, 5.1)).map_restarted);
+  EXPECT_FALSE(grid.process(drive[0].scan(), pose(19.9, 0.0, 0.0)).map_restarted);
+  EXPECT_FALSE(grid.process(drive[0].scan(), pose(19.9, 19.9, 0.0)).map_restarted);
+  EXPECT_TRUE(grid.process(drive[0].scan(), pose(19.9, 19.9, 20.1)).map_restarted);
+}
+
+/// The share of the labels of the last scan that a grid of its own gives as well.
+double same_as_alone(const ScanResult& result, const DriveScan& scan,
+                     const Eigen::Isometry3d& T_map_base) {
+  GroundGrid alone;
+  const ScanResult expected = alone.process(scan.scan(), T_map_base);
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < result.labels.size(); ++i)
+    same += result.labels[i] == expected.labels[i] ? 1U : 0U;
+  return static_cast<double>(same) / static_cast<double>(result.labels.size());
+}
+
+TEST(State, AStepInHeightRestartsTheMapAtOnce) {
+  const std::vector<DriveScan> drive = street_drive(6);
+  for (const double step : {3.5, 0.4, -0.4, -1.0, -3.5}) {
+    SCOPED_TRACE(step);
+    GroundGrid grid;
+    for (std::size_t i = 0; i < 5; ++i)
+      EXPECT_FALSE(grid.process(drive[i].scan(), drive[i].T_map_base).map_restarted) << i;
+    Eigen::Isometry3d moved = drive[5].T_map_base;
+    moved.translation().z() += step;
+    const ScanResult result = grid.process(drive[5].scan(), moved);
+    EXPECT_TRUE(result.map_restarted);
+    EXPECT_GT(same_as_alone(result, drive[5], moved), 0.99);
+    EXPECT_FALSE(grid.process(drive[5].scan(), moved).map_restarted);
+  }
+}
+
+// The pose cannot know: a floor that lies lower than the one before, below a pose that stays.
+TEST(State, GroundAtAnotherHeightRestartsTheMap) {
+  const std::vector<DriveScan> drive = street_drive(5);
+  GroundGrid grid;
+  for (const DriveScan& scan : drive) grid.process(scan.scan(), scan.T_map_base);
+  DriveScan lowered = drive[4];
+  for (std::size_t i = 2; i < lowered.points.size(); i += 3) lowered.points[i] -= 0.6F;
+  EXPECT_TRUE(grid.process(lowered.scan(), lowered.T_map_base).map_restarted);
 }
 
 TEST(State, TheEstimatedSensorHeightIsReportedAndKeptUntilReset) {
@@ -113,7 +147,7 @@ TEST(State, TheEstimatedSensorHeightIsReportedAndKeptUntilReset) {
 TEST(State, AGivenSensorHeightIsTaken) {
   const DriveScan street = street_drive(1)[0];
   Config config;
-  config.sensor_height_m = 1.7;
+  config.vehicle.sensor_height_m = 1.7;
   GroundGrid grid(config);
   const ScanResult by_config = grid.process(street.scan());
   EXPECT_FALSE(by_config.sensor_height_estimated);
@@ -144,7 +178,7 @@ TEST(State, AScanWithoutGroundLeavesTheEstimateToTheNext) {
 TEST(State, ACallWithoutSensorsLeavesTheStartToTheFirstScan) {
   const std::vector<DriveScan> drive = street_drive(1);
   GroundGrid grid;
-  grid.process(std::span<const SensorScan>{}, drive[0].T_map_base);
+  grid.process({.T_map_base = drive[0].T_map_base});
   EXPECT_TRUE(same_bits(run_drive(grid, drive), run_drive(Config{}, drive)));
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/map/cell_statistics.hpp"
 #include "evaluation/cell_distance.hpp"
 #include "evaluation/deviation_calibration.hpp"
 #include "groundgrid/ground_grid.hpp"
@@ -37,12 +38,12 @@ void judge(const GroundGrid& ground_grid, const Terrain& terrain, Judged& judged
   for (std::size_t cell = 0; cell < seen.size(); ++cell)
     seen[cell] = view.statistics[cell].count > 0 ? 1 : 0;
   const std::vector<float> from_seen_m =
-      evaluation::distance_to(seen, {view.size, view.size, view.cell_size_m, view.cell_size_m});
+      evaluation::distance_to(seen, {view.size, view.size, view.resolution_m, view.resolution_m});
   for (int row = 0; row < view.size; ++row) {
     for (int column = 0; column < view.size; ++column) {
       const auto cell = static_cast<std::size_t>(row * view.size + column);
-      const double truth = terrain.height({view.min_x_m + (column + 0.5) * view.cell_size_m,
-                                           view.min_y_m + (row + 0.5) * view.cell_size_m});
+      const double truth = terrain.height({view.min_x_m + (column + 0.5) * view.resolution_m,
+                                           view.min_y_m + (row + 0.5) * view.resolution_m});
       const JudgedHeight height{view.cell(column, row).height - truth,
                                 static_cast<double>(deviation[cell])};
       if (view.confidence[cell] >= 0.05F)

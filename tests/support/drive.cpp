@@ -76,12 +76,13 @@ DriveResult run_drive(GroundGrid& grid, const std::vector<DriveScan>& drive) {
   const TerrainView terrain = grid.terrain();
   all.terrain_height.assign(terrain.relative_height.begin(), terrain.relative_height.end());
   all.terrain_confidence.assign(terrain.confidence.begin(), terrain.confidence.end());
-  all.terrain_statistics.assign(terrain.statistics.begin(), terrain.statistics.end());
+  const std::span<const CellStatistics> statistics = statistics_of(terrain);
+  all.terrain_statistics.assign(statistics.begin(), statistics.end());
   return all;
 }
 
-DriveResult run_drive(const Config& config, const std::vector<DriveScan>& drive) {
-  GroundGrid grid(config);
+DriveResult run_drive(const Config& config, const std::vector<DriveScan>& drive, int threads) {
+  GroundGrid grid(config, threads);
   return run_drive(grid, drive);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/map/cell_statistics.hpp"
 #include "groundgrid/ground_grid.hpp"
 #include "support/ray_caster.hpp"
 
@@ -39,7 +40,7 @@ struct DriveResult {
 };
 
 DriveResult run_drive(GroundGrid& grid, const std::vector<DriveScan>& drive);
-DriveResult run_drive(const Config& config, const std::vector<DriveScan>& drive);
+DriveResult run_drive(const Config& config, const std::vector<DriveScan>& drive, int threads = 1);
 
 /// Compares bit by bit, NaN included.
 ::testing::AssertionResult same_bits(const DriveResult& a, const DriveResult& b);

@@ -17,8 +17,8 @@ namespace groundgrid::testing {
 /// cells of one metre; `cells` is odd.
 inline Config metre_grid(int cells) {
   Config config = Config::paper();
-  config.cell_size_m = 1.0;
-  config.map_extent_m = cells - 1;
+  config.map.resolution_m = 1.0;
+  config.map.extent_m = cells - 1;
   return config;
 }
 

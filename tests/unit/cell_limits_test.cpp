@@ -18,7 +18,7 @@ using testing::PointsInCells;
 class CellLimitsByColumn : public ::testing::Test {
  protected:
   CellLimitsByColumn() : config_(metre_grid(21)), map_(flat_map(config_)), points_(map_) {
-    config_.ground_threshold_m = 0.2;
+    config_.labels.ground_threshold_m = 0.2;
   }
 
   CellLimit limit(int column, int row) {

@@ -13,8 +13,8 @@ namespace {
 
 Config small_map() {
   Config config;
-  config.cell_size_m = 0.5;
-  config.map_extent_m = 8.0;
+  config.map.resolution_m = 0.5;
+  config.map.extent_m = 8.0;
   return config;
 }
 
@@ -165,8 +165,7 @@ TEST(ElevationMap, StaysOnItsLatticeWhenItStartsAnew) {
 
 TEST(ElevationMap, TheLatticeMayBeAnchoredByConfig) {
   Config config = small_map();
-  config.grid_anchor_x_m = 10.0;
-  config.grid_anchor_y_m = -20.0;
+  config.map.anchor_m = {10.0, -20.0};
   ElevationMap map(config);
   map.start({123.4, 56.7, 0.0, 0.0, 0.0});
   // Cell centres are at anchor + k · 0.5 m, so edges are a quarter metre off.

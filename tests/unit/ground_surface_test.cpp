@@ -18,7 +18,7 @@ constexpr double kCell_m = 0.33;
 
 Config small_map() {
   Config config;
-  config.map_extent_m = 60 * kCell_m;
+  config.map.extent_m = 60 * kCell_m;
   return config;
 }
 

@@ -92,7 +92,7 @@ TEST(LineOfSight, AgreesWithBruteForceOnRandomMapsAndRays) {
     return static_cast<float>(std::uniform_real_distribution<double>(low, high)(random));
   };
   Config config = Config::paper();
-  config.map_extent_m = 20 * config.cell_size_m;
+  config.map.extent_m = 20 * config.map.resolution_m;
   int rays[2] = {0, 0};
   int undecided = 0;
   for (int round = 0; round < 60; ++round) {
@@ -131,7 +131,7 @@ class Road : public ::testing::Test {
   }
 
   static ElevationMap make_map(Config& config) {
-    config.map_extent_m = 40.0;
+    config.map.extent_m = 40.0;
     return flat_map(config);
   }
 
@@ -191,7 +191,7 @@ TEST_F(Road, AHillHidesWhatLiesBehindIt) {
 
 TEST(FilterOutliers, MarksOnlyHiddenPointsWellBelowTheMap) {
   Config config;
-  config.map_extent_m = 40.0;
+  config.map.extent_m = 40.0;
   ElevationMap map = flat_map(config);
   for (float& confidence : map.confidence()) confidence = 0.5F;
   const float xyz[] = {10.0F, 0.0F, -3.23F,   // 1.5 m under the road

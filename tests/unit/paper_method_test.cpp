@@ -91,7 +91,7 @@ TEST(Spiral, VisitsEveryCellOnceWhereverItsCentreIs) {
 class PaperMethod : public ::testing::Test {
  protected:
   PaperMethod() : config_(metre_grid(11)), map_(flat_map(config_)), points_(map_) {
-    config_.min_point_fraction = 0.0;
+    config_.paper_only.min_point_fraction = 0.0;
   }
 
   void observe() {
@@ -124,7 +124,7 @@ TEST_F(PaperMethod, ACellsOwnVarianceDecidesFromTenPointsOnAndThePatchsBelow) {
 
 TEST_F(PaperMethod, SkipsCellsWithLessThanTheirShareOfTheExpectedPoints) {
   // 3 m away: atan(1/3) = 18.435°, / 0.4° = 46.09 points; a quarter of that is 11.5.
-  config_.min_point_fraction = 0.25;
+  config_.paper_only.min_point_fraction = 0.25;
   points_.add(8, 5, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   points_.add(2, 5, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   observe();
@@ -133,7 +133,7 @@ TEST_F(PaperMethod, SkipsCellsWithLessThanTheirShareOfTheExpectedPoints) {
 }
 
 TEST_F(PaperMethod, PatchesGrowFromThreeToFiveCellsAtTheirDistance) {
-  config_.patch_change_distance_m = 3.0;
+  config_.paper_only.patch_change_distance_m = 3.0;
   points_.add(5, 6, {0.0});  // 1 m away: 3 × 3
   points_.add(5, 8, {1.0});  // two rows further, 3 m away: 5 × 5
   observe();

@@ -116,7 +116,7 @@ TEST(BinPoints, PointsWithoutAnAnswerGetNoCell) {
   const float inf = std::numeric_limits<float>::infinity();
   const float huge = std::numeric_limits<float>::max();
   Config config = metre_grid(11);
-  config.min_range_m = 0.5;
+  config.vehicle.min_range_m = 0.5;
   const ElevationMap map = flat_map(config);
   const BinnedPoints bins = bin(map, config, {5.0F,   5.0F,   0.0F,    // a good one
                                               -0.01F, 5.0F,   0.0F,    // outside
@@ -137,12 +137,7 @@ TEST(BinPoints, PointsWithoutAnAnswerGetNoCell) {
 
 TEST(BinPoints, TheOwnVehiclesBoxIsInBase) {
   Config config = metre_grid(11);
-  config.own_vehicle_min_x_m = 2.0;
-  config.own_vehicle_max_x_m = 4.0;
-  config.own_vehicle_min_y_m = -1.0;
-  config.own_vehicle_max_y_m = 1.0;
-  config.own_vehicle_min_z_m = 0.0;
-  config.own_vehicle_max_z_m = 2.0;
+  config.vehicle.ego_vehicle_box_m = {2.0, 4.0, -1.0, 1.0, 0.0, 2.0};
   const ElevationMap map = flat_map(config);
   const float xyz[] = {0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 3.0F, 4.0F, 0.0F, 0.0F};
   SensorPass pass;

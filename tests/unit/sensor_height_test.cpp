@@ -58,10 +58,7 @@ TEST(EstimateSensorHeight, TheOwnVehicleAndNearPointsDoNotCount) {
   const PointView points = PointView::from_floats(xyz.data(), xyz.size() / 3, 3);
   Config config;
   EXPECT_NEAR(estimate_sensor_height(points, config).value_or(0.0), 0.3, 0.05);
-  config.own_vehicle_min_x_m = config.own_vehicle_min_y_m = -5.0;
-  config.own_vehicle_max_x_m = config.own_vehicle_max_y_m = 5.0;
-  config.own_vehicle_min_z_m = -1.0;
-  config.own_vehicle_max_z_m = 0.0;
+  config.vehicle.ego_vehicle_box_m = {-5.0, 5.0, -5.0, 5.0, -1.0, 0.0};
   EXPECT_NEAR(estimate_sensor_height(points, config).value_or(0.0), 1.73, 0.05);
 }
 

@@ -27,7 +27,7 @@ class StepEdgesOnGround : public ::testing::Test {
  protected:
   StepEdgesOnGround()
       : config_(metre_grid(kSize)), map_(flat_map(config_)), points_(std::in_place, map_) {
-    config_.max_step_m = 0.1;
+    config_.labels.max_step_m = 0.1;
   }
 
   /// Six points at the same height in every cell from `first` to `last` column.
@@ -101,9 +101,9 @@ TEST_F(StepEdgesOnGround, OnlyAStepHigherThanTheLimitByMoreThanChanceCounts) {
   add_step(10, 0.0, 0.15);
   add_ground(11, 20, [](int, int) { return 0.15; });
   // Each side is three cells of at least 1e-4 m²: sqrt(2 · 1e-4 / 3) = 0.00816 m may be chance.
-  config_.max_step_m = 0.1417;
+  config_.labels.max_step_m = 0.1417;
   EXPECT_EQ(lowered_cells(), kInner);
-  config_.max_step_m = 0.1420;
+  config_.labels.max_step_m = 0.1420;
   EXPECT_EQ(lowered_cells(), 0);
 }
 
@@ -137,9 +137,9 @@ TEST_F(StepEdgesOnGround, AStepAcrossASlopeIsMeasuredFromTheSlope) {
   add_ground(0, 9, [](int column, int) { return 0.05 * column; });
   add_step(10, 0.5, 0.65);
   add_ground(11, 20, [](int column, int) { return 0.05 * column + 0.15; });
-  config_.max_step_m = 0.1417;
+  config_.labels.max_step_m = 0.1417;
   EXPECT_EQ(lowered_cells(), kInner);
-  config_.max_step_m = 0.1420;
+  config_.labels.max_step_m = 0.1420;
   EXPECT_EQ(lowered_cells(), 0);
 }
 
@@ -153,7 +153,7 @@ TEST_F(StepEdgesOnGround, ARampOfTwoCellsIsNoStep) {
 TEST_F(StepEdgesOnGround, AShortBumpIsNoStep) {
   add_ground(0, 20, level_ground);
   points_->add(10, 10, {0.3, 0.3, 0.3, 0.3, 0.3, 0.3});
-  config_.max_step_m = 0.05;
+  config_.labels.max_step_m = 0.05;
   EXPECT_EQ(lowered_cells(), 0);
 }
 

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/map/cell_statistics.hpp"
+
 namespace groundgrid {
 namespace {
 
@@ -37,13 +39,13 @@ class LayeredMap {
   TerrainView view() const {
     TerrainView view;
     view.size = size_;
-    view.cell_size_m = 0.5;
+    view.resolution_m = 0.5;
     view.min_x_m = 10.0;
     view.min_y_m = 20.0;
     view.z_origin_m = 100.0;
     view.relative_height = height_;
     view.confidence = confidence_;
-    view.statistics = statistics_;
+    view.statistics = statistics_.data();
     return view;
   }
 

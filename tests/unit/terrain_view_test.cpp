@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/map/cell_statistics.hpp"
+
 namespace groundgrid {
 namespace {
 
@@ -19,7 +21,7 @@ TEST(TerrainView, CellGivesHeightsInTheMapFrame) {
   view.z_origin_m = 100.0;
   view.relative_height = height;
   view.confidence = confidence;
-  view.statistics = statistics;
+  view.statistics = statistics.data();
 
   const TerrainCell seen = view.cell(1, 0);
   EXPECT_DOUBLE_EQ(seen.height, 100.5);

@@ -42,8 +42,8 @@ def add_to(commands: Any) -> None:
 class Ours:
     """The method with its memory."""
 
-    def __init__(self, config: Config) -> None:
-        self._grid = GroundGrid(config)
+    def __init__(self, config: Config, threads: int) -> None:
+        self._grid = GroundGrid(config, threads=threads)
 
     def labels(self, scan: Scan) -> npt.NDArray[np.uint32]:
         if scan.pose is None:
@@ -105,7 +105,6 @@ class Score:
 
 
 def compare(options: argparse.Namespace) -> None:
-    options.threads = options.threads or 1
     # Before a peer's libraries are loaded.
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ.setdefault(name, str(options.threads))
@@ -116,7 +115,7 @@ def compare(options: argparse.Namespace) -> None:
     for number, scan in enumerate(scans_of(open_input(options), options)):
         with silenced():
             if number == 0:
-                scores, missing = made(names, scan, config, options.methods is not None)
+                scores, missing = made(names, scan, config, options)
             run_all(scores, scan, number)
     if not scores:
         raise ValueError(f"{options.input}: expected scans, got none")
@@ -139,23 +138,23 @@ def chosen(given: str | None) -> list[str]:
 
 
 def made(
-    names: Iterable[str], scan: Scan, config: Config, named: bool
+    names: Iterable[str], scan: Scan, config: Config, options: argparse.Namespace
 ) -> tuple[dict[str, Score], list[str]]:
     """A method of each name, and the names of those that are not installed."""
     height_m = config.sensor_height_m or estimate_sensor_height(scan.points, config)
-    paper = Config.paper().replace(sensor_height_m=config.sensor_height_m, threads=config.threads)
+    paper = Config.paper().replace(sensor_height_m=config.sensor_height_m)
     # Ours is always run, since the others are held against it.
-    scores = {"groundgrid": Score(Ours(config))}
+    scores = {"groundgrid": Score(Ours(config, options.threads))}
     missing = []
     for name in names:
         if name == "groundgrid paper":
-            scores[name] = Score(Ours(paper))
+            scores[name] = Score(Ours(paper, options.threads))
         if name not in PEERS:
             continue
         try:
             peer = PEERS[name](ANY_HEIGHT_M if height_m is None else height_m)
         except PeerMissing:
-            if named:
+            if options.methods is not None:
                 raise
             missing.append(name)
             continue

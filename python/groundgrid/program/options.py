@@ -47,7 +47,7 @@ def add_method(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--config", type=Path, metavar="FILE.toml", help="parameters")
     group.add_argument("--set", action="append", default=[], metavar="NAME=VALUE",
                        help="one parameter; may be repeated")
-    group.add_argument("--threads", type=positive, metavar="N")
+    group.add_argument("--threads", type=positive, metavar="N", default=1)
 
 
 def positive(text: str) -> int:
@@ -83,8 +83,6 @@ def config_of(options: argparse.Namespace, **more: Any) -> Config:
         values[name] = value_of(text)
     if options.sensor_height_m is not None:
         values["sensor_height_m"] = options.sensor_height_m
-    if options.threads is not None:
-        values["threads"] = options.threads
     try:
         return config.replace(**(values | more))
     except TypeError as error:

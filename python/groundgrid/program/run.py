@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> None:
     record.unlink(missing_ok=True)
     with ExitStack() as stack:
         output = Output(dataset, folder, options, stack)
-        summary = segment(dataset, GroundGrid(config), output, options)
+        summary = segment(dataset, GroundGrid(config, threads=options.threads), output, options)
     summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
     with hidden_file(record) as hidden:
         hidden.write_text(json.dumps(summary, indent=2) + "\n")

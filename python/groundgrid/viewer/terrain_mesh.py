@@ -33,7 +33,7 @@ class TerrainMesh:
 
 def mesh_of(terrain: Terrain, origin: npt.NDArray[np.float64]) -> TerrainMesh:
     """Of the cells with enough confidence; without vertices where there is none."""
-    known = closed(terrain.confidence >= MIN_CONFIDENCE, round(CLOSED_M / terrain.cell_size_m))
+    known = closed(terrain.confidence >= MIN_CONFIDENCE, round(CLOSED_M / terrain.resolution_m))
     heights = np.where(known, terrain.height, np.nan)
     corners = [known[:-1, :-1], known[:-1, 1:], known[1:, 1:], known[1:, :-1]]
     squares = np.argwhere(np.logical_and.reduce(corners))
@@ -46,7 +46,7 @@ def mesh_of(terrain: Terrain, origin: npt.NDArray[np.float64]) -> TerrainMesh:
     used, places = np.unique(triangles, return_inverse=True)
     x, y = np.meshgrid(terrain.x_m, terrain.y_m)
     vertices = np.stack([x.ravel()[used], y.ravel()[used], terrain.height.ravel()[used]], 1)
-    normals = normals_of(heights, terrain.cell_size_m).reshape(-1, 3)[used]
+    normals = normals_of(heights, terrain.resolution_m).reshape(-1, 3)[used]
     return TerrainMesh(
         (vertices - origin).astype(np.float32),
         places.reshape(-1, 3).astype(np.uint32),
@@ -72,9 +72,9 @@ def spread(cells: npt.NDArray[np.bool_], reach: int) -> npt.NDArray[np.bool_]:
 
 
 def normals_of(
-    heights: npt.NDArray[np.float64], cell_size_m: float
+    heights: npt.NDArray[np.float64], resolution_m: float
 ) -> npt.NDArray[np.float64]:
-    along_y, along_x = np.gradient(heights, cell_size_m)
+    along_y, along_x = np.gradient(heights, resolution_m)
     normals = np.stack([-along_x, -along_y, np.ones_like(heights)], axis=-1)
     # At the edge of what is known there is no slope to tell.
     normals[np.isnan(normals).any(axis=-1)] = (0, 0, 1)

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "core/map/cell_statistics.hpp"
 #include "core/point_transform.hpp"
-#include "groundgrid/terrain_view.hpp"
 
 namespace groundgrid {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/map/cell_statistics.hpp"
 #include "core/point_transform.hpp"
 #include "groundgrid/label.hpp"
-#include "groundgrid/terrain_view.hpp"
 
 namespace groundgrid {
 

@@ -15,22 +15,22 @@ double steps_to(double offset) { return std::trunc(offset / kZOriginStep_m) * kZ
 }  // namespace
 
 int window_half_size(const Config& config) {
-  return static_cast<int>(std::ceil(config.map_extent_m / (2.0 * config.cell_size_m) - 0.5));
+  return static_cast<int>(std::ceil(config.map.extent_m / (2.0 * config.map.resolution_m) - 0.5));
 }
 
 ElevationMap::ElevationMap(const Config& config)
     : size_(2 * window_half_size(config) + 1),
-      cell_size_(config.cell_size_m),
-      fixed_anchor_x_(config.grid_anchor_x_m),
-      fixed_anchor_y_(config.grid_anchor_y_m) {
+      cell_size_(config.map.resolution_m),
+      fixed_anchor_(config.map.anchor_m) {
   const auto cells = static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_);
   height_.resize(cells);
   confidence_.resize(cells);
 }
 
 void ElevationMap::anchor(const Plane& ground) {
-  anchor_x_ = fixed_anchor_x_.value_or(ground.x);
-  anchor_y_ = fixed_anchor_y_.value_or(ground.y);
+  const Point2 place = fixed_anchor_.value_or(Point2{ground.x, ground.y});
+  anchor_x_ = place[0];
+  anchor_y_ = place[1];
   anchor_z_ = ground.z;
   anchored_ = true;
 }

@@ -88,8 +88,7 @@ class ElevationMap {
 
   int size_;
   double cell_size_;
-  std::optional<double> fixed_anchor_x_;
-  std::optional<double> fixed_anchor_y_;
+  std::optional<Point2> fixed_anchor_;
   bool started_ = false;
   bool blank_ = true;
   bool anchored_ = false;

@@ -8,7 +8,9 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "core/map/cell_statistics.hpp"
 #include "core/point_transform.hpp"
 
 namespace groundgrid {
@@ -27,10 +29,10 @@ std::size_t cells_of(const TerrainView& terrain) {
 void check_layers_input(const TerrainView& terrain) {
   const std::size_t cells = terrain.size < 0 ? 0 : cells_of(terrain);
   if (terrain.size < 0 || terrain.relative_height.size() != cells ||
-      terrain.confidence.size() != cells || terrain.statistics.size() != cells)
+      terrain.confidence.size() != cells || (cells > 0 && terrain.statistics == nullptr))
     throw std::invalid_argument("TerrainLayers: every layer must have size x size cells");
-  if (terrain.size > 0 && !(terrain.cell_size_m > 0.0))
-    throw std::invalid_argument("TerrainLayers: cell_size_m must be positive");
+  if (terrain.size > 0 && !(terrain.resolution_m > 0.0))
+    throw std::invalid_argument("TerrainLayers: resolution_m must be positive");
 }
 
 /// Highest return below the clearance as far as the cell's extremes tell; NaN where they do not.
@@ -76,16 +78,56 @@ void TraversabilityLimits::validate() const {
   check("min_confidence", min_confidence);
 }
 
-TerrainLayers::TerrainLayers(double window_m) : window_m_(window_m) {
-  if (!(window_m > 0.0 && window_m <= kMostWindow_m))
-    throw std::invalid_argument("TerrainLayers: window_m must be above 0 and at most 100");
-}
+/// Buffers and what fills them.
+class TerrainLayers::Layers {
+ public:
+  explicit Layers(double window_m) : window_m_(window_m) {
+    if (!(window_m > 0.0 && window_m <= kMostWindow_m))
+      throw std::invalid_argument("TerrainLayers: window_m must be above 0 and at most 100");
+  }
 
-void TerrainLayers::begin(const TerrainView& terrain, const TraversabilityLimits& limits) {
+  void begin(const TerrainView& terrain, const TraversabilityLimits& limits);
+  void find_ground_layers(const TerrainView& terrain);
+  void find_obstacles(const TerrainView& terrain, const TraversabilityLimits& limits);
+  void find_obstacles(const TerrainView& terrain, std::span<const SensorScan> scans,
+                      const Eigen::Isometry3d& T_map_base, std::span<const Label> labels,
+                      const TraversabilityLimits& limits);
+  void judge(const TraversabilityLimits& limits);
+
+  [[nodiscard]] int size() const { return size_; }
+  [[nodiscard]] std::span<const float> slope_deg() const { return slope_deg_; }
+  [[nodiscard]] std::span<const float> step_m() const { return step_m_; }
+  [[nodiscard]] std::span<const float> roughness_m() const { return roughness_m_; }
+  [[nodiscard]] std::span<const float> obstacle_height_m() const { return obstacle_height_m_; }
+  [[nodiscard]] std::span<const Traversability> traversability() const { return traversability_; }
+
+ private:
+  struct Plane {
+    double slope_x;
+    double slope_y;
+    double roughness_m;
+  };
+
+  [[nodiscard]] Plane fit_plane(const TerrainView& terrain, int column, int row) const;
+  [[nodiscard]] float height_at(int column, int row) const;
+  [[nodiscard]] float step_at(int column, int row, const Plane& plane, double resolution_m) const;
+
+  double window_m_;
+  int size_ = 0;
+  int reach_ = 1;              // cells of the window on each side of its middle
+  std::vector<float> height_;  // of known cells; NaN
+  std::vector<float> slope_deg_;
+  std::vector<float> step_m_;
+  std::vector<float> roughness_m_;
+  std::vector<float> obstacle_height_m_;
+  std::vector<Traversability> traversability_;
+};
+
+void TerrainLayers::Layers::begin(const TerrainView& terrain, const TraversabilityLimits& limits) {
   limits.validate();
   check_layers_input(terrain);
   size_ = terrain.size;
-  const double side = size_ > 0 ? window_m_ / terrain.cell_size_m : 0.0;
+  const double side = size_ > 0 ? window_m_ / terrain.resolution_m : 0.0;
   reach_ = std::max(1, static_cast<int>(std::lround(std::min(side, 2.0 * size_) - 1.0) / 2));
   const std::size_t cells = cells_of(terrain);
   for (std::vector<float>* layer :
@@ -100,14 +142,14 @@ void TerrainLayers::begin(const TerrainView& terrain, const TraversabilityLimits
   }
 }
 
-float TerrainLayers::height_at(int column, int row) const {
+float TerrainLayers::Layers::height_at(int column, int row) const {
   if (column < 0 || row < 0 || column >= size_ || row >= size_) return kNothing;
   return height_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_) +
                  static_cast<std::size_t>(column)];
 }
 
-TerrainLayers::Plane TerrainLayers::fit_plane(const TerrainView& terrain, int column,
-                                              int row) const {
+TerrainLayers::Layers::Plane TerrainLayers::Layers::fit_plane(const TerrainView& terrain,
+                                                              int column, int row) const {
   constexpr Plane kNoPlane{static_cast<double>(kNothing), static_cast<double>(kNothing),
                            static_cast<double>(kNothing)};
   // From the middle's height, so that the squares stay small.
@@ -132,11 +174,12 @@ TerrainLayers::Plane TerrainLayers::fit_plane(const TerrainView& terrain, int co
   const double slope_x = (xz * yy - yz * xy) / determinant;
   const double slope_y = (yz * xx - xz * xy) / determinant;
   const double residuals = std::max(zz - slope_x * xz - slope_y * yz, 0.0);
-  return {slope_x / terrain.cell_size_m, slope_y / terrain.cell_size_m,
+  return {slope_x / terrain.resolution_m, slope_y / terrain.resolution_m,
           std::sqrt(residuals / sums.n)};
 }
 
-float TerrainLayers::step_at(int column, int row, const Plane& plane, double cell_size_m) const {
+float TerrainLayers::Layers::step_at(int column, int row, const Plane& plane,
+                                     double resolution_m) const {
   constexpr std::array<std::array<int, 2>, 4> kDirections{{{1, 0}, {1, 1}, {0, 1}, {-1, 1}}};
   float highest = kNothing;
   for (const auto& [x, y] : kDirections) {
@@ -154,7 +197,7 @@ float TerrainLayers::step_at(int column, int row, const Plane& plane, double cel
     if (std::isnan(slope_before)) slope = slope_after;
     if (std::isnan(slope))
       slope = static_cast<float>((plane.slope_x * x + plane.slope_y * y) * 2.0 * kBesideStep *
-                                 cell_size_m);
+                                 resolution_m);
     if (std::isnan(slope)) continue;
     const float along = rise < 0.0F ? -slope : slope;
     const float step = std::max(std::abs(rise) - std::max(along, 0.0F), 0.0F);
@@ -163,7 +206,7 @@ float TerrainLayers::step_at(int column, int row, const Plane& plane, double cel
   return highest;
 }
 
-void TerrainLayers::find_ground_layers(const TerrainView& terrain) {
+void TerrainLayers::Layers::find_ground_layers(const TerrainView& terrain) {
   std::size_t cell = 0;
   for (int row = 0; row < size_; ++row) {
     for (int column = 0; column < size_; ++column, ++cell) {
@@ -172,12 +215,13 @@ void TerrainLayers::find_ground_layers(const TerrainView& terrain) {
       slope_deg_[cell] = static_cast<float>(std::atan(std::hypot(plane.slope_x, plane.slope_y)) *
                                             180.0 / std::numbers::pi);
       roughness_m_[cell] = static_cast<float>(plane.roughness_m);
-      step_m_[cell] = step_at(column, row, plane, terrain.cell_size_m);
+      step_m_[cell] = step_at(column, row, plane, terrain.resolution_m);
     }
   }
 }
 
-void TerrainLayers::find_obstacles(const TerrainView& terrain, const TraversabilityLimits& limits) {
+void TerrainLayers::Layers::find_obstacles(const TerrainView& terrain,
+                                           const TraversabilityLimits& limits) {
   for (std::size_t cell = 0; cell < cells_of(terrain); ++cell)
     obstacle_height_m_[cell] =
         obstacle_from(terrain.statistics[cell], terrain.relative_height[cell], limits);
@@ -195,7 +239,7 @@ Traversability traversability_of(const CellLayers& cell, const TraversabilityLim
   return known ? Traversability::yes : Traversability::unknown;
 }
 
-void TerrainLayers::judge(const TraversabilityLimits& limits) {
+void TerrainLayers::Layers::judge(const TraversabilityLimits& limits) {
   for (std::size_t cell = 0; cell < traversability_.size(); ++cell) {
     float& obstacle = obstacle_height_m_[cell];
     traversability_[cell] =
@@ -204,31 +248,16 @@ void TerrainLayers::judge(const TraversabilityLimits& limits) {
   }
 }
 
-void TerrainLayers::update(const TerrainView& terrain, const TraversabilityLimits& limits) {
-  begin(terrain, limits);
-  find_ground_layers(terrain);
-  find_obstacles(terrain, limits);
-  judge(limits);
-}
-
-void TerrainLayers::update(const TerrainView& terrain, std::span<const SensorScan> scans,
-                           const Eigen::Isometry3d& T_map_base, std::span<const Label> labels,
-                           const TraversabilityLimits& limits) {
-  std::size_t points = 0;
-  for (const SensorScan& scan : scans) {
-    if (scan.points.count > 0 && scan.points.data == nullptr)
-      throw std::invalid_argument("TerrainLayers: a view of points has no data");
-    points += scan.points.count;
-  }
-  if (labels.size() != points)
-    throw std::invalid_argument("TerrainLayers: there must be one label a point");
-  begin(terrain, limits);
-  find_ground_layers(terrain);
+void TerrainLayers::Layers::find_obstacles(const TerrainView& terrain,
+                                           std::span<const SensorScan> scans,
+                                           const Eigen::Isometry3d& T_map_base,
+                                           std::span<const Label> labels,
+                                           const TraversabilityLimits& limits) {
   Eigen::Isometry3d T_view_base = T_map_base;
   T_view_base.translation() -=
       Eigen::Vector3d(terrain.min_x_m, terrain.min_y_m, terrain.z_origin_m);
   const auto clearance = static_cast<float>(limits.overhang_clearance_m);
-  const double cells_per_m = size_ > 0 ? 1.0 / terrain.cell_size_m : 0.0;
+  const double cells_per_m = size_ > 0 ? 1.0 / terrain.resolution_m : 0.0;
   const Label* label = labels.data();
   for (const SensorScan& scan : scans) {
     const PointTransform T_view_sensor(
@@ -247,7 +276,46 @@ void TerrainLayers::update(const TerrainView& terrain, std::span<const SensorSca
       if (above < clearance && !(above <= highest)) highest = above;
     }
   }
-  judge(limits);
+}
+
+TerrainLayers::TerrainLayers(double window_m) : layers_(std::make_unique<Layers>(window_m)) {}
+TerrainLayers::~TerrainLayers() = default;
+TerrainLayers::TerrainLayers(TerrainLayers&&) noexcept = default;
+TerrainLayers& TerrainLayers::operator=(TerrainLayers&&) noexcept = default;
+
+void TerrainLayers::update(const TerrainView& terrain, const TraversabilityLimits& limits) {
+  layers_->begin(terrain, limits);
+  layers_->find_ground_layers(terrain);
+  layers_->find_obstacles(terrain, limits);
+  layers_->judge(limits);
+}
+
+void TerrainLayers::update(const TerrainView& terrain, std::span<const SensorScan> scans,
+                           const Eigen::Isometry3d& T_map_base, std::span<const Label> labels,
+                           const TraversabilityLimits& limits) {
+  std::size_t points = 0;
+  for (const SensorScan& scan : scans) {
+    if (scan.points.count > 0 && scan.points.data == nullptr)
+      throw std::invalid_argument("TerrainLayers: a view of points has no data");
+    points += scan.points.count;
+  }
+  if (labels.size() != points)
+    throw std::invalid_argument("TerrainLayers: there must be one label a point");
+  layers_->begin(terrain, limits);
+  layers_->find_ground_layers(terrain);
+  layers_->find_obstacles(terrain, scans, T_map_base, labels, limits);
+  layers_->judge(limits);
+}
+
+int TerrainLayers::size() const { return layers_->size(); }
+std::span<const float> TerrainLayers::slope_deg() const { return layers_->slope_deg(); }
+std::span<const float> TerrainLayers::step_m() const { return layers_->step_m(); }
+std::span<const float> TerrainLayers::roughness_m() const { return layers_->roughness_m(); }
+std::span<const float> TerrainLayers::obstacle_height_m() const {
+  return layers_->obstacle_height_m();
+}
+std::span<const Traversability> TerrainLayers::traversability() const {
+  return layers_->traversability();
 }
 
 }  // namespace groundgrid

@@ -3,9 +3,10 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/map/cell_statistics.hpp"
+
 namespace groundgrid {
 
-// Not inline: whoever includes the header shall get our bits, whatever their compiler's flags.
 double CellStatistics::mean_m() const {
   return static_cast<double>(sum) / static_cast<double>(count) * kStep_m;
 }
@@ -25,7 +26,7 @@ TerrainCell TerrainView::cell(int column, int row) const {
   TerrainCell cell{};
   cell.height = z_origin_m + static_cast<double>(relative_height[index]);
   cell.confidence = confidence[index];
-  const CellStatistics& points = statistics[index];
+  const CellStatistics points = statistics != nullptr ? statistics[index] : CellStatistics{};
   cell.points = points.count;
   if (points.count == 0) {
     cell.variance = std::numeric_limits<float>::quiet_NaN();

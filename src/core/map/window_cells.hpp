@@ -15,9 +15,9 @@ struct WindowCells {
   float inverse_cell_size;
   int size;
 
-  WindowCells(int cells_a_side, float cell_size_m)
-      : extent(static_cast<float>(cells_a_side) * cell_size_m),
-        inverse_cell_size(1.0F / cell_size_m),
+  WindowCells(int cells_a_side, float resolution_m)
+      : extent(static_cast<float>(cells_a_side) * resolution_m),
+        inverse_cell_size(1.0F / resolution_m),
         size(cells_a_side) {}
   explicit WindowCells(const ElevationMap& map)
       : WindowCells(map.size(), static_cast<float>(map.cell_size())) {}

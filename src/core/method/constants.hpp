@@ -15,6 +15,16 @@ inline constexpr double kReflectionDepth_m = 0.3;
 inline constexpr double kRayTolerance_m = 0.1;
 inline constexpr double kRayConfidence = 8.0;  ///< Sum over 5 × 5 cells.
 
+// A scan contradicts the map if more than this share of the flat cells, in what the map knows well,
+// lies above it by more than an offset, or below it. No load or bump lifts a vehicle as far; a roof
+// or a crowd covers fewer cells.
+inline constexpr float kFlatColumn_m = 0.2F;
+inline constexpr float kMapOffset_m = 0.25F;
+inline constexpr double kContradicting = 0.5;
+inline constexpr std::size_t kComparedCells = 100;
+/// Share of the points that lie so far below the map that they count as outliers.
+inline constexpr double kSunkPoints = 0.25;
+
 // Support: the lowest returns of two cells belong to one surface if the slope between them is at
 // most that of a steep embankment (35 degrees), plus what measurement and grass scatter by.
 inline constexpr int kSupportReach = 2;  ///< Cells along each axis.

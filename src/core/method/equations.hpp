@@ -18,13 +18,14 @@ struct CellEstimate {
 /// Eq. 1: t_v = d_sf · d, at least t_minv: the variance in m² below which a cell at this distance
 /// in metres from the sensor is ground.
 inline double variance_threshold(double distance_m, const Config& config) {
-  return std::max(config.variance_distance_factor * distance_m, config.min_variance_threshold);
+  return std::max(config.paper_only.variance_distance_factor * distance_m,
+                  config.paper_only.min_variance_threshold);
 }
 
 /// Eq. 2: n = atan(R / d) / d_pv: the points that one beam leaves in a cell on open ground.
 inline double expected_points(double distance_m, const Config& config) {
-  const double degrees = std::atan2(config.cell_size_m, distance_m) * 180.0 / std::numbers::pi;
-  return degrees / config.point_angle_deg;
+  const double degrees = std::atan2(config.map.resolution_m, distance_m) * 180.0 / std::numbers::pi;
+  return degrees / config.paper_only.azimuth_resolution_deg;
 }
 
 /// Eq. 3: h = Σ(P ∘ M) / ΣP, from the sums over a patch of point counts P and of lowest heights M
@@ -35,7 +36,7 @@ inline float ground_elevation(float sum_points_lowest, float sum_points) {
 
 /// Eq. 4: q = ΣP / s, clamped to [0, 1].
 inline float observation_confidence(float sum_points, const Config& config) {
-  return std::clamp(sum_points / static_cast<float>(config.confidence_point_scale), 0.0F, 1.0F);
+  return std::clamp(sum_points / static_cast<float>(config.map.confidence_point_scale), 0.0F, 1.0F);
 }
 
 /// Eq. 5: g ← (q · h + c · g) / (q + c); the height stays if both confidences are 0.

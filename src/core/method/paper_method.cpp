@@ -18,7 +18,8 @@ namespace groundgrid::paper {
 void filter_outliers(const Scan& scan, const Config& config, const ElevationMap& map,
                      BinnedPoints& bins) {
   if (map.blank()) return;
-  const RayRule rule{config.outlier_tolerance_m, config.outlier_min_confidence};
+  const RayRule rule{config.paper_only.outlier_tolerance_m,
+                     config.paper_only.outlier_min_confidence};
   for (const SensorPass& sensor : scan.sensors) {
     for (std::size_t i = 0; i < sensor.points.count; ++i) {
       std::uint32_t& cell = bins.cell[sensor.first + i];
@@ -57,7 +58,7 @@ struct Patch {
 /// "patches of 9 (3 × 3) to 25 (5 × 5) cells depending on the distance to the sensor"
 Patch sum_patch(const ScanGrid& grid, int size, int column, int row, double distance,
                 const Config& config) {
-  const int half = distance < config.patch_change_distance_m ? 1 : 2;
+  const int half = distance < config.paper_only.patch_change_distance_m ? 1 : 2;
   Patch patch;
   for (int y = std::max(row - half, 0); y <= std::min(row + half, size - 1); ++y) {
     for (int x = std::max(column - half, 0); x <= std::min(column + half, size - 1); ++x) {
@@ -90,9 +91,10 @@ enum class CellClass { skipped, obstacle, ground };
 /// the cell is below the variance threshold t_v."
 CellClass classify_cell(const CellStatistics& cell, const Patch& patch, double distance,
                         const Config& config) {
-  if (cell.count < config.min_point_fraction * expected_points(distance, config))
+  if (cell.count < config.paper_only.min_point_fraction * expected_points(distance, config))
     return CellClass::skipped;
-  const bool enough = cell.count >= static_cast<std::uint32_t>(config.own_variance_min_points);
+  const bool enough =
+      cell.count >= static_cast<std::uint32_t>(config.paper_only.own_variance_min_points);
   const double variance =
       enough ? cell.variance_m2() : static_cast<double>(patch.points_variance / patch.points);
   return variance < variance_threshold(distance, config) ? CellClass::ground : CellClass::obstacle;
@@ -136,7 +138,7 @@ void observe_ground(const Scan& scan, const ScanGrid& grid, const Config& config
 void interpolate_terrain(const Scan& scan, const GroundMask& is_ground, const Config& config,
                          ElevationMap& map) {
   const int size = map.size();
-  const auto theta = static_cast<float>(config.confidence_decay);
+  const auto theta = static_cast<float>(config.map.confidence_decay);
   float* heights = map.height().data();
   float* confidences = map.confidence().data();
   const auto interpolate = [&](int column, int row) {
@@ -173,8 +175,8 @@ LabelCounts segment(const BinnedPoints& bins, const GroundMask& is_ground, const
     const std::uint32_t cell = bins.cell[i] & ~BinnedPoints::kOutlier;
     const float height =
         static_cast<float>(bins.z[i]) / BinnedPoints::kStepsPerMetre - map.height()[cell];
-    const double threshold =
-        is_ground[cell] != 0 ? config.ground_threshold_m : config.obstacle_threshold_m;
+    const double threshold = is_ground[cell] != 0 ? config.labels.ground_threshold_m
+                                                  : config.paper_only.obstacle_threshold_m;
     const bool low = static_cast<double>(height) <= threshold;
     const Label by_height = low ? Label::ground : Label::obstacle;
     give(i, bins.is_outlier(i) ? Label::outlier : by_height, height, answers, counts);

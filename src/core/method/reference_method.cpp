@@ -15,6 +15,7 @@
 #include "core/method/reference_surface.hpp"
 #include "core/stages/cell_limits.hpp"
 #include "core/stages/ground_cells.hpp"
+#include "core/stages/map_check.hpp"
 #include "core/stages/step_edges.hpp"
 
 namespace groundgrid::reference {
@@ -107,7 +108,6 @@ bool set_aside(const ScanGrid& grid, const PerCell<std::uint8_t>& supported, con
 /// What is left of a cell may be supported, support others, and show what lies below it.
 PerCell<std::uint8_t> rasterize_supported(const Window& window, BinnedPoints& bins,
                                           ScanGrid& grid) {
-  paper::rasterize(bins, grid);
   PerCell<std::uint8_t> supported = find_supported(grid, window);
   for (int pass = 0; pass < kSupportPasses && set_aside(grid, supported, window, bins); ++pass) {
     paper::rasterize(bins, grid);
@@ -323,7 +323,7 @@ void fill(const ScanGrid& grid, const std::vector<GroundCell>& cells,
   for (std::size_t i = 0; i < cells.size(); ++i) is_ground[grid.occupied[i]] = cells[i].ground;
   const PerCell<float> weights(on_surface.begin(), on_surface.end());
   const Surface surface(window, map.height(), weights, ground, 0.0);
-  const auto theta = static_cast<float>(config.confidence_decay);
+  const auto theta = static_cast<float>(config.map.confidence_decay);
   for (std::uint32_t cell = 0; cell < window.cells(); ++cell) {
     if (is_ground[cell] != 0) continue;
     map.confidence()[cell] = decayed_confidence(map.confidence()[cell], theta);
@@ -381,7 +381,7 @@ PerCell<CellLimit> choose_limits(const BinnedPoints& bins, const ScanGrid& grid,
     const bool rises =
         column.rising > 0 && static_cast<double>(column.rising) > kTallShare * column.near_ground;
     limits[cell].threshold =
-        rises ? kTallThreshold_m : static_cast<float>(config.ground_threshold_m);
+        rises ? kTallThreshold_m : static_cast<float>(config.labels.ground_threshold_m);
     // Where something stands its feet would pass for ground: such cells take the level of others.
     const std::int64_t height = limited_steps(map.height()[cell]);
     if (grid.statistics[cell].max - height > tall) continue;
@@ -424,7 +424,7 @@ LabelCounts label_points(const BinnedPoints& bins, const PerCell<CellLimit>& lim
     const bool aside = bins.is_outlier(i);
     const float level = aside ? map.height()[cell] : limits[cell].level;
     const float threshold =
-        aside ? static_cast<float>(config.ground_threshold_m) : limits[cell].threshold;
+        aside ? static_cast<float>(config.labels.ground_threshold_m) : limits[cell].threshold;
     const float height = static_cast<float>(bins.z[i]) * kStep_m - level;
     const bool deep = static_cast<double>(height) <= -kReflectionDepth_m;
     const Label by_height = height <= threshold ? Label::ground : Label::obstacle;
@@ -435,11 +435,14 @@ LabelCounts label_points(const BinnedPoints& bins, const PerCell<CellLimit>& lim
 
 }  // namespace
 
-LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, ScanGrid& grid,
-                    PerCell<std::uint8_t>& on_surface, ElevationMap& map, const Answers& answers) {
+std::optional<LabelCounts> process(const Scan& scan, const Config& config, BinnedPoints& bins,
+                                   ScanGrid& grid, PerCell<std::uint8_t>& on_surface,
+                                   ElevationMap& map, const Answers& answers) {
   const Window window{map.size(), map.cell_size()};
   bin_points(scan.sensors, map, config, bins);
   filter_deep_outliers(scan, map, bins);
+  paper::rasterize(bins, grid);
+  if (contradicts_map(bins, grid, map)) return std::nullopt;
   const PerCell<std::uint8_t> supported = rasterize_supported(window, bins, grid);
   std::vector<GroundCell> cells;
   for (const std::uint32_t cell : grid.occupied)
@@ -449,7 +452,7 @@ LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, 
   map.mark_observed();
   fill(grid, cells, on_surface, scan.ground, config, window, map);
   PerCell<CellLimit> limits = choose_limits(bins, grid, map, config, window);
-  if (config.max_step_m > 0.0) {
+  if (config.labels.max_step_m > 0.0) {
     TileRunner one_thread(1);
     StepEdges(map).lower_limits(bins, grid, config, one_thread, limits);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/map/elevation_map.hpp"
 #include "core/method/method.hpp"
@@ -12,8 +13,10 @@
 namespace groundgrid::reference {
 
 /// Labels a scan and takes it into the map. `bins`, `grid` and `on_surface` are buffers; the last
-/// two tell afterwards what was seen, and which cells hold the surface up.
-LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, ScanGrid& grid,
-                    PerCell<std::uint8_t>& on_surface, ElevationMap& map, const Answers& answers);
+/// two tell afterwards what was seen, and which cells hold the surface up. Nothing, with the map
+/// untouched, if the scan contradicts the map.
+std::optional<LabelCounts> process(const Scan& scan, const Config& config, BinnedPoints& bins,
+                                   ScanGrid& grid, PerCell<std::uint8_t>& on_surface,
+                                   ElevationMap& map, const Answers& answers);
 
 }  // namespace groundgrid::reference

@@ -2,6 +2,7 @@
 #include "core/method/standard_method.hpp"
 
 #include "core/stages/ground_elevation.hpp"
+#include "core/stages/map_check.hpp"
 #include "core/stages/outlier_filter.hpp"
 #include "core/stages/segmentation.hpp"
 
@@ -41,9 +42,11 @@ void StandardMethod::rasterize(const Scan& scan, const Config& config, const Ele
   list_occupied(grid);
 }
 
-LabelCounts StandardMethod::process(const Scan& scan, const Config& config, BinnedPoints& bins,
-                                    ScanGrid& grid, ElevationMap& map, const Answers& answers) {
+std::optional<LabelCounts> StandardMethod::process(const Scan& scan, const Config& config,
+                                                   BinnedPoints& bins, ScanGrid& grid,
+                                                   ElevationMap& map, const Answers& answers) {
   rasterize(scan, config, map, bins, grid);
+  if (contradicts_map(bins, grid, map)) return std::nullopt;
   support_.find(bins, grid);
   ground_cells_.classify(grid, map, support_.is_supported(), scan.positions, *runner_);
   surface_.withdraw_raised(grid, scan.ground, ground_cells_, map);
@@ -52,7 +55,7 @@ LabelCounts StandardMethod::process(const Scan& scan, const Config& config, Binn
   map.mark_observed();
   surface_.fill(grid, scan.ground, config, ground_cells_, map);
   limits_.choose_by_column(bins, grid, map, config, *runner_);
-  if (config.max_step_m > 0.0)
+  if (config.labels.max_step_m > 0.0)
     step_edges_.lower_limits(bins, grid, config, *runner_, limits_.limits());
   return segment(bins, limits_, map, config, *runner_, answers.labels, answers.height_above_ground);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,9 @@ class StandardMethod {
   StandardMethod(const ElevationMap& map, TileRunner& runner);
 
   /// Labels a scan and takes it into the map. `bins` and `grid` are buffers; `grid` tells
-  /// afterwards what was seen.
-  LabelCounts process(const Scan& scan, const Config& config, BinnedPoints& bins, ScanGrid& grid,
-                      ElevationMap& map, const Answers& answers);
+  /// afterwards what was seen. Nothing, with the map untouched, if the scan contradicts the map.
+  std::optional<LabelCounts> process(const Scan& scan, const Config& config, BinnedPoints& bins,
+                                     ScanGrid& grid, ElevationMap& map, const Answers& answers);
 
   /// Standard deviation of each cell's height in the map as process() left it, metres.
   std::span<const float> standard_deviation(const ElevationMap& map) {

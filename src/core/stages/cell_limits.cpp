@@ -135,7 +135,7 @@ void CellLimits::choose_by_column(const BinnedPoints& bins, const ScanGrid& grid
                         limited_steps(kLevelBand_m),
                         limited_steps(kTall_m),
                         limited_steps(kOverhang_m)};
-  const auto threshold = static_cast<float>(config.ground_threshold_m);
+  const auto threshold = static_cast<float>(config.labels.ground_threshold_m);
   for_each_band(limits_.size(), runner, [&](const CellBand& band, std::size_t number) {
     ColumnRule own = rule;
     own.band = band;

@@ -64,7 +64,7 @@ void GroundSurface::fill(const ScanGrid& grid, const LocalPlane& ground, const C
   const std::vector<std::uint8_t>& is_ground = ground_cells.is_ground();
   fit_.fit(map.height(), ground);
   const auto size = static_cast<std::size_t>(map.size());
-  const auto decay = static_cast<float>(config.confidence_decay);
+  const auto decay = static_cast<float>(config.map.confidence_decay);
   fit_.for_each_row([&](std::size_t row, const SurfaceBetween& along) {
     const std::size_t first = row * size;
     fill_cells({is_ground.data() + first, fit_.standing().data() + first, &along,

@@ -41,8 +41,8 @@ BlockShare share_of(int part, int blocks, double side) {
 
 }  // namespace
 
-PlaneHierarchy::PlaneHierarchy(int size, double cell_size_m, int threads)
-    : size_(size), cell_size_(cell_size_m) {
+PlaneHierarchy::PlaneHierarchy(int size, double resolution_m, int threads)
+    : size_(size), cell_size_(resolution_m) {
   int below = size;
   int parts = kFinestBlock;
   int cells = 1;
@@ -55,7 +55,7 @@ PlaneHierarchy::PlaneHierarchy(int size, double cell_size_m, int threads)
     cells *= parts;
     level.cells = cells;
     level.cells_before = cells_before;
-    level.side = cells * cell_size_m;
+    level.side = cells * resolution_m;
     level.sums.resize(level.row(level.blocks));
     level.planes.resize(level.row(level.blocks));
     place_cells(level);

@@ -43,7 +43,7 @@ class PlaneHierarchy {
   };
 
   /// For `size` × `size` cells, an odd number, and tasks of at most so many threads.
-  PlaneHierarchy(int size, double cell_size_m, int threads);
+  PlaneHierarchy(int size, double resolution_m, int threads);
 
   /// The finest level whose blocks are at least this wide; 0 is 5 × 5 cells.
   [[nodiscard]] std::size_t level_of(double block_m) const;

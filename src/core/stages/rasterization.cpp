@@ -89,7 +89,7 @@ void bin_points(const SensorPass& pass, const PointRange& range, const WindowCel
 
 void bin_points(const SensorPass& pass, const PointRange& range, const ElevationMap& map,
                 const Config& config, BinnedPoints& bins) {
-  bin_points(pass, range, WindowCells(map), Exclusion(config), bins);
+  bin_points(pass, range, WindowCells(map), Exclusion(config.vehicle), bins);
 }
 
 void bin_points(std::span<const SensorPass> sensors, const ElevationMap& map, const Config& config,

@@ -9,11 +9,11 @@
 
 #include "core/exclusion.hpp"
 #include "core/kernels/point_kernels.hpp"
+#include "core/map/cell_statistics.hpp"
 #include "core/map/elevation_map.hpp"
 #include "core/map/window_cells.hpp"
 #include "core/parallel.hpp"
 #include "core/point_transform.hpp"
-#include "groundgrid/terrain_view.hpp"
 
 namespace groundgrid {
 

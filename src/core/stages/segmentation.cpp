@@ -17,7 +17,7 @@ constexpr auto kHeightStep_m = static_cast<float>(CellStatistics::kStep_m);
 Label label_set_aside(float height_above_ground, const Config& config) {
   const auto height = static_cast<double>(height_above_ground);
   if (height <= -constants::kReflectionDepth_m) return Label::outlier;
-  return height <= config.ground_threshold_m ? Label::ground : Label::obstacle;
+  return height <= config.labels.ground_threshold_m ? Label::ground : Label::obstacle;
 }
 
 }  // namespace

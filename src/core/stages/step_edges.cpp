@@ -156,7 +156,7 @@ void StepEdges::lower_limits(const BinnedPoints& bins, const ScanGrid& grid, con
     for (std::size_t i = begin; i < end; ++i) steps_[collected_[i]] = highest_step(collected_[i]);
   };
   runner.parallel_for_ranges(collected_.size(), kCellsPerTile, find_steps);
-  const auto max_step = static_cast<float>(config.max_step_m);
+  const auto max_step = static_cast<float>(config.labels.max_step_m);
   for (const std::uint32_t cell : collected_)
     if (steps_[cell].height > max_step && goes_on(cell, max_step))
       limits[cell].lower_to(steps_[cell].low + 0.5F * max_step);

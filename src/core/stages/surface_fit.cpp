@@ -16,11 +16,11 @@ using namespace constants;
 
 }  // namespace
 
-SurfaceFit::SurfaceFit(int size, double cell_size_m, TileRunner& runner)
+SurfaceFit::SurfaceFit(int size, double resolution_m, TileRunner& runner)
     : runner_(&runner),
       size_(size),
-      cell_size_(static_cast<float>(cell_size_m)),
-      planes_(size, cell_size_m, runner.threads()),
+      cell_size_(static_cast<float>(resolution_m)),
+      planes_(size, resolution_m, runner.threads()),
       heights_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size)),
       surface_(heights_.size()),
       standing_(heights_.size()) {

@@ -18,7 +18,7 @@ class SurfaceFit {
  public:
   /// For `size` × `size` cells, row by row, x fastest; `size` is an odd number.
   /// Its tasks run on `runner`, which outlives this object.
-  SurfaceFit(int size, double cell_size_m, TileRunner& runner);
+  SurfaceFit(int size, double resolution_m, TileRunner& runner);
 
   /// The heights that are known, metres, one a cell, kUnknownHeight where nothing is; to be written
   /// before reject_raised() or accept_all().
