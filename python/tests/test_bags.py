@@ -210,6 +210,68 @@ def places(path, **options):
             for each in BagDataset(path, **options)]
 
 
+def reasons(path, **options):
+    return [scan.pose_missing for scan in BagDataset(path, **options)]
+
+
+def test_scans_outside_of_the_times_of_tf_say_so(moving):
+    words = "its time is behind the poses of 'base' in 'map', which are from 10.000 to 11.000 s"
+    assert reasons(moving) == [None, None, words]
+
+
+@pytest.mark.parametrize(
+    ("frame", "others", "words"),
+    [
+        ("lidar", [tf(1.0, "odom", "base", (0.0, 0.0, 0.0))],
+         "neither TF nor odometry says where the cloud's frame 'lidar' is in any other; there are "
+         "'base', 'odom'; record the transform to it, too (/tf_static)"),
+        ("lidar", [odometry(1.0, 0.0)], "neither TF nor odometry says where the cloud's frame 'lidar'"),
+        ("", [odometry(1.0, 0.0)], "frame '' (its header names none) is in any other"),
+        ("lidar", [tf(1.0, "lidar", "base", (0.0, 0.0, 0.0)),
+                   tf(1.0, "base", "lidar", (0.0, 0.0, 0.0))], "form a ring: lidar, base"),
+        ("lidar", [tf(7.0, "odom", "lidar", (0.0, 0.0, 0.0))], "before the poses of 'lidar'"),
+    ],
+)
+def test_a_pose_that_is_missing_has_a_reason(tmp_path, frame, others, words):
+    topics = ["/odom" if each.__msgtype__.endswith("Odometry") else "/tf" for each in others]
+    messages = [(topic, each, 1.0) for topic, each in zip(topics, others)]
+    messages.append(("/points", cloud(STORE, "plain", 0, 1.0, frame), 1.0))
+    path = write(tmp_path / "drive", messages, "MCAP")
+    assert places(path) == [None]
+    assert words in reasons(path)[0]
+
+
+def test_fixed_transforms_alone_are_no_way_of_the_sensor(tmp_path):
+    messages = [("/tf_static", tf(0, "base", "lidar", (1.0, 0.0, 2.0)), 0.0),
+                ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    assert reasons(path) == ["'lidar' is fixed in 'base', and nothing says how 'base' moves; there "
+                             "are 'base', 'lidar'"]
+
+
+def test_headers_without_a_time_have_no_pose(tmp_path):
+    messages = [("/tf", tf(time_s, "map", "lidar", (2.0, 0.0, 0.0)), time_s) for time_s in (0.0, 1.0)]
+    messages += [("/points", cloud(STORE, "plain", number, 0.0), number) for number in range(2)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    # Simulated time begins with 0.
+    assert places(path) == [[2, 0, 0], None]
+    assert reasons(path)[0] is None and "its header has the time 0" in reasons(path)[1]
+
+
+def test_recordings_without_any_pose_have_no_reason(tmp_path):
+    path = write(tmp_path / "drive", [("/points", cloud(STORE, "plain", 0), 0)], "MCAP")
+    assert places(path) == [None] and reasons(path) == [None]
+
+
+def test_poses_from_a_file_stand_for_those_of_the_recording(moving, tmp_path):
+    (tmp_path / "poses.txt").write_text("10 0 0 0 0 0 0 1\n12 20 0 0 0 0 0 1\n")
+    found = places(moving, poses=tmp_path / "poses.txt")
+    np.testing.assert_allclose(found, [[5, 0, 0], [10.5, 0, 0], [20, 0, 0]])
+    assert reasons(moving, poses=tmp_path / "poses.txt") == [None] * 3
+    with pytest.raises(ValueError, match="poses: expected without frame and odometry"):
+        BagDataset(moving, poses=tmp_path / "poses.txt", odometry="/odom")
+
+
 def test_two_odometries_of_one_frame_are_not_mixed(tmp_path):
     points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
     wheel = ("/wheel", odometry(1.0, 3.0, "lidar"), 1.0)

@@ -10,8 +10,9 @@ from typing import Any
 
 from .extras import require
 from .pointcloud2 import fields_of
+from .poses import pose_file
 from .scan import Scan, points_of
-from .transforms import FrameTree, Matrix
+from .transforms import FrameTree, Matrix, PoseMissing
 
 CLOUD = "sensor_msgs/msg/PointCloud2"
 ODOMETRY = "nav_msgs/msg/Odometry"
@@ -88,11 +89,13 @@ class BagDataset:
     topic: that of the clouds; the only one of PointCloud2 where it is left out.
     frame: the frame that poses are in; the root of the tree of frames where it is left out.
     odometry: the topic of odometry to take poses from, in place of TF where both have them.
+    poses: poses of the sensor in KITTI's or TUM's form, in place of those of the recording.
 
     Poses are those of the cloud's own frame, interpolated at the time of its header; None where
-    neither TF nor odometry has them. Raises FileNotFoundError, ValueError for what is no recording
-    or has no such topic or frame, and for poses that are not numbers or come from several parents
-    or topics of odometry at once, and ImportError where rosbags is not installed.
+    neither TF nor odometry has them: Scan.pose_missing then says what is missing. Raises
+    FileNotFoundError, ValueError for what is no recording or has no such topic or frame, and for
+    poses that are not numbers or come from several parents or topics of odometry at once, and
+    ImportError where rosbags is not installed.
     """
 
     def __init__(
@@ -102,16 +105,22 @@ class BagDataset:
         topic: str | None = None,
         frame: str | None = None,
         odometry: str | None = None,
+        poses: str | os.PathLike[str] | None = None,
     ) -> None:
+        if poses is not None and (frame is not None or odometry is not None):
+            raise ValueError("poses: expected without frame and odometry, which choose poses of the "
+                             "recording")
         self._path = Path(path)
+        self._poses = pose_file(poses)
         self._frame = None if frame is None else frame.lstrip("/")
         with self.reader() as recording, naming(self._path, *OTHERWISE):
             clouds = {each.topic for each in recording.connections if each.msgtype == CLOUD}
             self.topic: str = self._choose(sorted(clouds), topic)
             self._count = sum(int(each.msgcount) for each in self._connections(recording))
             self._frames = FrameTree()
-            own = self._read_frames(recording, odometry)
-            self._check_frames(recording, odometry, own)
+            if self._poses is None:
+                own = self._read_frames(recording, odometry)
+                self._check_frames(recording, odometry, own)
 
     @contextmanager
     def reader(self) -> Iterator[Recording]:
@@ -191,7 +200,7 @@ class BagDataset:
         if connection is None:
             return
         header = recording.deserialize(raw, connection).header
-        self._pose(header)
+        self._pose(0, header)
         frame = header.frame_id.lstrip("/")
         above = self._frames.above(frame)
         there_are = f"; there are {', '.join(map(repr, self._frames.names())) or 'none'}"
@@ -203,10 +212,20 @@ class BagDataset:
             raise ValueError(f"{self._path}: expected odometry of {frame!r} or a frame above it, "
                              f"got {got} on {odometry}" + there_are)
 
-    def _pose(self, header: Any) -> Matrix | None:
+    def _pose(self, index: int, header: Any) -> tuple[Matrix | None, str | None]:
+        """The pose, or why the recording, which has poses of others, has none of this cloud."""
+        time_ns = nanoseconds(header.stamp)
+        if self._poses is not None:
+            return self._poses.pose(index, time_ns * 1e-9), None
+        if self._frames.is_empty():
+            return None, None
+        # Simulated time may begin with 0, but does not stay there.
+        if time_ns == 0 and index > 0:
+            return None, "its header has the time 0, so that nothing tells which pose is its own"
         try:
-            return self._frames.pose(header.frame_id.lstrip("/"), nanoseconds(header.stamp),
-                                     self._frame)
+            return self._frames.pose(header.frame_id.lstrip("/"), time_ns, self._frame), None
+        except PoseMissing as missing:
+            return None, str(missing)
         except ValueError as error:
             raise ValueError(f"{self._path}: {error}") from error
 
@@ -229,10 +248,12 @@ class BagDataset:
             points = points_of(fields, count)
         except ValueError as error:
             raise ValueError(f"{self._path}: message {index} of {self.topic}: {error}") from error
+        pose, pose_missing = self._pose(index, message.header)
         return Scan(
             name=f"{index:06}",
             points=points,
-            pose=self._pose(message.header),
+            pose=pose,
+            pose_missing=pose_missing,
             time_s=nanoseconds(message.header.stamp) * 1e-9,
             fields=fields,
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from collections import Counter
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -71,7 +72,8 @@ def run(options: argparse.Namespace) -> None:
     counts, scans = summary["counts"], summary["scans"]
     shares = ", ".join(f"{name} {100 * count / max(1, sum(counts.values())):.1f} %"
                        for name, count in counts.items())
-    print(f"{options.output}: {scans} scans, {shares}, {summary['median_ms']:.1f} ms a scan")
+    alone = f" ({summary['single_scans']} of them single)" if summary["single_scans"] else ""
+    print(f"{options.output}: {scans} scans{alone}, {shares}, {summary['median_ms']:.1f} ms a scan")
 
 
 def place_of(dataset: Dataset, output: Path) -> Path:
@@ -84,10 +86,12 @@ def segment(
     dataset: Dataset, grid: GroundGrid, output: Output, options: argparse.Namespace
 ) -> dict[str, Any]:
     counts, times_ms = np.zeros(len(Label), np.int64), []
+    missing: Counter[str] = Counter()
     for number, scan in enumerate(scans_of(dataset, options)):
         pose = None if options.single_scan else scan.pose
         if pose is None:
             grid.reset()
+            missing[why_alone(scan, options)] += 1
         begin = time.perf_counter()
         result = processed(grid, scan, pose, options.input)
         times_ms.append(1000 * (time.perf_counter() - begin))
@@ -99,11 +103,19 @@ def segment(
     output.finish()
     return {
         "scans": len(times_ms),
+        "single_scans": missing.total(),
+        "single_scans_because": dict(missing),
         "counts": {label.name.lower(): int(counts[label]) for label in Label},
         "median_ms": float(np.median(times_ms)),
         "sensor_height_m": result.sensor_height_m,
         "sensor_height_estimated": result.sensor_height_estimated,
     }
+
+
+def why_alone(scan: Scan, options: argparse.Namespace) -> str:
+    if options.single_scan:
+        return "--single-scan"
+    return scan.pose_missing or "the input has no pose of it"
 
 
 def processed(grid: GroundGrid, scan: Scan, pose: Matrix | None, path: Path) -> ScanResult:
