@@ -394,10 +394,15 @@ def test_endings_in_capitals_are_told_to_be_renamed(tmp_path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"data": np.zeros(50, np.uint8)}, "expected 1 rows of 6 points in 96 bytes, got 50"),
+        ({"data": np.zeros(50, np.uint8)}, r"cut short: 1 x 6 points of 16 bytes \(height, width, "
+         r"point_step\) take 96 bytes, and it has 50"),
         ({"point_step": 14}, "field 'intensity' reaches beyond a point of 14 bytes"),
-        ({"height": 2, "width": 3, "row_step": 16}, "16 a row"),
-        ({"width": 2**31}, "points in 34359738368 bytes"),
+        ({"height": 2, "width": 2, "row_step": 16}, "rows begin is not clear: 2 rows of 2 points take "
+         "64 bytes, the cloud has 96 bytes, and its row_step of 16 goes with neither"),
+        ({"height": 2, "width": 2, "row_step": 0}, "row_step of 0 goes with neither"),
+        ({"height": 2, "width": 2, "row_step": 96}, "row_step of 96 goes with neither"),
+        ({"width": 2**31}, "take 34359738368 bytes"),
+        ({"height": 2**16, "width": 2**16}, "take 68719476736 bytes"),
         ({"fields": []}, "got none named x, y, z"),
     ],
 )
@@ -408,6 +413,16 @@ def test_messages_that_contradict_themselves_are_refused(tmp_path, change, words
     path = write(tmp_path / "drive", [("/points", message, 0)], "MCAP")
     with pytest.raises(ValueError, match=f"message 0 of /points: .*{words}"):
         list(BagDataset(path))
+
+
+@pytest.mark.parametrize("row_step", [0, 7, 48, 96, 2**31])
+def test_clouds_without_padding_need_no_row_step(tmp_path, row_step):
+    message = cloud(STORE, "plain", 0)
+    for name, value in {"height": 2, "width": 3, "row_step": row_step}.items():
+        object.__setattr__(message, name, value)
+    (scan,) = BagDataset(write(tmp_path / "drive", [("/points", message, 0)], "MCAP"))
+    for column, name in enumerate(("x", "y", "z", "intensity")):
+        np.testing.assert_array_equal(scan.points[:, column], values(name, 0))
 
 
 def test_empty_clouds_are_scans_of_no_points(tmp_path):
