@@ -7,13 +7,17 @@ from rosbags.highlevel import AnyReader
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_typestore, get_types_from_msg
 
 import groundgrid
 from groundgrid.datasets import BagDataset
+from groundgrid.datasets.cloud_messages import definitions
 
 STORE = get_typestore(Stores.ROS2_HUMBLE)
 STORE1 = get_typestore(Stores.ROS1_NOETIC)
+for each in (STORE, STORE1):
+    for name, text in definitions().items():
+        each.register(get_types_from_msg(text, name))
 CLOUD = "sensor_msgs/msg/PointCloud2"
 TYPES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 
@@ -344,11 +348,50 @@ def test_poses_that_are_no_numbers_are_refused(tmp_path, topic, message, words):
 def test_one_of_several_topics_is_to_be_named(tmp_path):
     messages = [(topic, cloud(STORE, "plain", 0), 0) for topic in ("/front", "/rear")]
     path = write(tmp_path / "drive", messages, "MCAP")
-    with pytest.raises(ValueError, match="expected one topic of PointCloud2, got /front, /rear"):
+    with pytest.raises(ValueError, match="expected one topic of clouds, got /front, /rear; choose"):
         BagDataset(path)
-    with pytest.raises(ValueError, match="expected clouds on /top, got /front, /rear"):
+    there = r"expected clouds on /top, got a recording of /front \(sensor_msgs/msg/PointCloud2\), /rear"
+    with pytest.raises(ValueError, match=there):
         BagDataset(path, topic="/top")
     assert len(list(BagDataset(path, topic="/rear"))) == 1
+
+
+def test_a_recording_without_clouds_says_what_is_in_it_and_what_clouds_are(tmp_path):
+    path = write(tmp_path / "drive", [("/odom", odometry(1.0, 3.0), 1.0)], "MCAP")
+    words = (r"drive: expected a topic of clouds, got a recording of /odom \(nav_msgs/msg/Odometry\); "
+             "clouds are sensor_msgs/msg/PointCloud2, livox_ros_driver/msg/CustomMsg, ")
+    with pytest.raises(ValueError, match=words):
+        BagDataset(path)
+
+
+def livox(store, package, scan, time_s=0.0):
+    point, kind = (store.types[f"{package}/msg/{name}"] for name in ("CustomPoint", "CustomMsg"))
+    points = [point(1000 * k, 1.5 + k, 20.25 + scan, -3.0, 60 + k, 16, k % 4) for k in range(6)]
+    return kind(header(store, time_s, "lidar"), int(time_s * 1e9), len(points), 0,
+                np.zeros(3, np.uint8), points)
+
+
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+@pytest.mark.parametrize("package", ["livox_ros_driver", "livox_ros_driver2", "livox_interfaces"])
+def test_livox_messages_are_clouds_with_times(tmp_path, package, storage):
+    store = store_of(storage)
+    messages = [("/livox/lidar", livox(store, package, scan, scan), scan) for scan in range(2)]
+    dataset = groundgrid.datasets.open(write(tmp_path / "drive", messages, storage))
+    assert dataset.topic == "/livox/lidar" and len(dataset) == 2
+    for number, scan in enumerate(dataset):
+        expected = [[1.5 + k, 20.25 + number, -3.0, 60 + k] for k in range(6)]
+        np.testing.assert_array_equal(scan.points, expected)
+        assert scan.fields["t"].tolist() == [0, 1000, 2000, 3000, 4000, 5000]
+        assert scan.fields["tag"].tolist() == [16] * 6
+        assert scan.fields["line"].tolist() == [0, 1, 2, 3, 0, 1] and scan.time_s == number
+
+
+def test_livox_messages_that_count_other_points_are_refused(tmp_path):
+    message = livox(STORE, "livox_ros_driver2", 0)
+    object.__setattr__(message, "point_num", 7)
+    path = write(tmp_path / "drive", [("/livox/lidar", message, 0)], "MCAP")
+    with pytest.raises(ValueError, match="message 0 of /livox/lidar: .* it counts, 7, got 6"):
+        list(BagDataset(path))
 
 
 def test_other_files_are_refused(tmp_path):

@@ -198,6 +198,25 @@ def test_a_recording_of_ros_1_stays_one(tmp_path):
         assert more.fields["label"].dtype == np.uint32
 
 
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+def test_livox_messages_come_back_with_labelled_clouds(tmp_path, storage):
+    from test_bags import livox, store_of
+
+    messages = [("/livox/lidar", livox(store_of(storage), "livox_ros_driver2", 0), 0)]
+    bag = write(tmp_path / "drive", messages, storage)
+    if storage == "SQLITE3":
+        as_of_humble(bag)
+    flags = ["--bag", "--sensor-height-m", "1.5", "--output", str(tmp_path / "out")]
+    assert main(["run", str(bag), *flags]) == 0
+    ending = ".bag" if storage == "ros1" else ""
+    copy = tmp_path / "out" / f"drive_labelled{ending}"
+    (labelled,) = groundgrid.datasets.open(copy)
+    (original,) = groundgrid.datasets.open(copy, topic="/livox/lidar")
+    np.testing.assert_array_equal(labelled.points, original.points)
+    np.testing.assert_array_equal(labelled.fields["t"], original.fields["t"])
+    assert labelled.fields["label"].dtype == np.uint32
+
+
 def labelled_copy(given, out):
     flags = ["--bag", "--sensor-height-m", "1.5", "--output", str(out)]
     assert main(["run", str(given), *flags]) == 0

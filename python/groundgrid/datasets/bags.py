@@ -1,4 +1,4 @@
-"""ROS 1 and ROS 2 bags and MCAP files: PointCloud2 messages, and poses from odometry or TF."""
+"""ROS 1 and ROS 2 bags and MCAP files: messages that are clouds, and poses from odometry or TF."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from .cloud_messages import CLOUD, READABLE, decoders, definitions
 from .extras import require
-from .pointcloud2 import fields_of
 from .poses import pose_file
 from .scan import Scan, points_of
 from .transforms import FrameTree, Matrix, PoseMissing
 
-CLOUD = "sensor_msgs/msg/PointCloud2"
 ODOMETRY = "nav_msgs/msg/Odometry"
 TRANSFORMS = "tf2_msgs/msg/TFMessage"
 
@@ -86,10 +85,12 @@ class BagDataset:
     """The clouds of one topic of a recording, in the order in which they were recorded.
 
     path: a ROS 1 .bag, an .mcap or .db3 file, or the folder of a ROS 2 bag.
-    topic: that of the clouds; the only one of PointCloud2 where it is left out.
+    topic: that of the clouds, PointCloud2, Livox's CustomMsg or Velodyne's packets (VelodyneScan);
+    the only one of PointCloud2, else the only one, where it is left out.
     frame: the frame that poses are in; the root of the tree of frames where it is left out.
     odometry: the topic of odometry to take poses from, in place of TF where both have them.
     poses: poses of the sensor in KITTI's or TUM's form, in place of those of the recording.
+    model, calibration: of Velodyne packets, as VelodyneDataset has them.
 
     Poses are those of the cloud's own frame, interpolated at the time of its header; None where
     neither TF nor odometry has them: Scan.pose_missing then says what is missing. Raises
@@ -106,16 +107,19 @@ class BagDataset:
         frame: str | None = None,
         odometry: str | None = None,
         poses: str | os.PathLike[str] | None = None,
+        model: str | None = None,
+        calibration: str | os.PathLike[str] | None = None,
     ) -> None:
         if poses is not None and (frame is not None or odometry is not None):
             raise ValueError("poses: expected without frame and odometry, which choose poses of the "
                              "recording")
         self._path = Path(path)
         self._poses = pose_file(poses)
+        self._decoders = decoders(model, None if calibration is None else Path(calibration))
         self._frame = None if frame is None else frame.lstrip("/")
         with self.reader() as recording, naming(self._path, *OTHERWISE):
-            clouds = {each.topic for each in recording.connections if each.msgtype == CLOUD}
-            self.topic: str = self._choose(sorted(clouds), topic)
+            types = {each.topic: each.msgtype for each in recording.connections}
+            self.topic: str = self._choose(types, topic)
             self._count = sum(int(each.msgcount) for each in self._connections(recording))
             self._frames = FrameTree()
             if self._poses is None:
@@ -134,6 +138,8 @@ class BagDataset:
             raise ValueError(f"{self._path}: expected the ending {ending.lower()}, by which "
                              f"rosbags knows recordings, got {ending}: rename the file")
         store = typesys.get_typestore(typesys.Stores.LATEST)
+        for name, text in definitions().items():
+            store.register(typesys.get_types_from_msg(text, name))
         with naming(self._path):
             reader = anyreader.AnyReader([self._path], default_typestore=store)
             reader.open()
@@ -142,17 +148,25 @@ class BagDataset:
         finally:
             reader.close()
 
-    def _choose(self, topics: list[str], wanted: str | None) -> str:
-        names = ", ".join(topics) or "none"
-        if wanted is None and len(topics) == 1:
-            return topics[0]
-        if wanted not in topics:
-            expected = "one topic of PointCloud2" if wanted is None else f"clouds on {wanted}"
-            raise ValueError(f"{self._path}: expected {expected}, got {names}")
-        return wanted
+    def _choose(self, types: dict[str, str], wanted: str | None) -> str:
+        readable = sorted(topic for topic in types if types[topic] in READABLE)
+        if wanted in readable:
+            return wanted
+        # A driver's packets lie beside the clouds that are made of them.
+        clouds = [topic for topic in readable if types[topic] == CLOUD] or readable
+        if wanted is None and len(clouds) == 1:
+            return clouds[0]
+        if wanted is None and clouds:
+            raise ValueError(f"{self._path}: expected one topic of clouds, got {', '.join(clouds)}; "
+                             "choose one with topic=")
+        expected = "a topic of clouds" if wanted is None else f"clouds on {wanted}"
+        found = ", ".join(f"{topic} ({types[topic]})" for topic in sorted(types)) or "nothing"
+        raise ValueError(f"{self._path}: expected {expected}, got a recording of {found}; clouds are "
+                         f"{', '.join(READABLE)}")
 
     def _connections(self, recording: Recording) -> list[Any]:
-        return [each for each in recording.connections if each.topic == self.topic]
+        return [each for each in recording.connections
+                if each.topic == self.topic and each.msgtype in READABLE]
 
     def _read_frames(self, recording: Recording, odometry: str | None) -> set[str]:
         """The frames that odometry places. Of one frame, named odometry goes before TF, TF before
@@ -238,13 +252,13 @@ class BagDataset:
             for index, (connection, _, raw) in enumerate(messages):
                 message = recording.deserialize(raw, connection)
                 with naming(self._path, *OTHERWISE):
-                    scan = self._scan(index, message)
+                    scan = self._scan(index, message, connection.msgtype)
                 yield scan
 
-    def _scan(self, index: int, message: Any) -> Scan:
+    def _scan(self, index: int, message: Any, kind: str) -> Scan:
         try:
-            fields = fields_of(message)
-            count = message.height * message.width
+            fields = self._decoders[kind](message)
+            count = len(next(iter(fields.values()))) if fields else 0
             points = points_of(fields, count)
         except ValueError as error:
             raise ValueError(f"{self._path}: message {index} of {self.topic}: {error}") from error
