@@ -18,6 +18,8 @@ from .scan_files import ScanFiles, find_scans
 
 ENDINGS = frozenset({".npy", ".npz"})
 COLUMNS = ("x", "y", "z", "intensity")
+# As GroundGrid has it: more columns than this, and than points, are an array that lies the other way.
+MOST_COLUMNS = 16
 # Kinds of NumPy's types.
 NUMBERS = "biuf"
 # Those of the core.
@@ -142,5 +144,8 @@ def fields_of(points: npt.NDArray[Any]) -> Fields:
     if points.ndim != 2 or points.shape[1] < 3 or points.dtype.kind not in "fiu":
         raise ValueError("expected N x 3 or more numbers or records with x, y, z, got "
                          f"{points.dtype} of shape {points.shape}")
+    if len(points) and points.shape[1] > max(MOST_COLUMNS, len(points)):
+        raise ValueError("expected a row for each point, x, y, z first, got shape "
+                         f"{points.shape}; if it has a column for each point, store points.T")
     return {name: np.ascontiguousarray(points[:, column])
             for column, name in enumerate(COLUMNS[: points.shape[1]])}
