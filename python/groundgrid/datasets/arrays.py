@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .map_coordinates import placed
 from .scan import Scan, points_of
 from .scan_files import ScanFiles, find_scans
 
 ENDINGS = frozenset({".npy", ".npz"})
 COLUMNS = ("x", "y", "z", "intensity")
-# As GroundGrid has it: more columns than this, and than points, are an array that lies the other way.
+# As the module has it: more columns than this, and than points, lie the other way round.
 MOST_COLUMNS = 16
 # Kinds of NumPy's types.
 NUMBERS = "biuf"
@@ -50,7 +51,7 @@ class ArrayDataset(ScanFiles):
 
     def _read(self, path: Path) -> Scan:
         try:
-            return scan_of(path.stem, load(path))
+            return scan_of(path.stem, load(path), self._poses is not None)
         except ERRORS as error:
             if isinstance(error, FileNotFoundError):
                 raise
@@ -80,16 +81,21 @@ def array_of(content: Any, name: str) -> npt.NDArray[Any]:
     return array
 
 
-def scan_of(name: str, content: Mapping[str, npt.NDArray[Any]]) -> Scan:
+def scan_of(name: str, content: Mapping[str, npt.NDArray[Any]], has_pose: bool) -> Scan:
+    """has_pose: whether one from elsewhere will take the place of the content's."""
     rest = dict(content)
     pose, time_s, labels = (rest.pop(each, None) for each in ("pose", "time_s", "labels"))
     fields = fields_of(rest.pop("points")) if "points" in rest else {}
     count = len(next(iter(fields.values()))) if fields else len(np.atleast_1d(rest.get("x", [])))
     fields |= {each: array for each, array in rest.items() if array.shape[:1] == (count,)}
+    if pose is None and not has_pose:
+        points, own = placed(fields, count)
+    else:
+        points, own = points_of(fields, count), None if pose is None else pose_of(pose)
     return Scan(
         name=name,
-        points=points_of(fields, count),
-        pose=None if pose is None else pose_of(pose),
+        points=points,
+        pose=own,
         time_s=None if time_s is None else time_of(time_s),
         labels=None if labels is None else labels_of(labels, count),
         fields=fields,

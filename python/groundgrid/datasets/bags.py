@@ -10,6 +10,7 @@ from typing import Any
 
 from .cloud_messages import CLOUD, READABLE, decoders, definitions
 from .extras import require
+from .map_coordinates import are_of_a_map, told_from, told_from_middle
 from .poses import pose_file
 from .scan import Scan, points_of
 from .transforms import FrameTree, Matrix, PoseMissing
@@ -88,7 +89,9 @@ class BagDataset:
     topic: that of the clouds, PointCloud2, Livox's CustomMsg or Velodyne's packets (VelodyneScan);
     the only one of PointCloud2, else the only one, where it is left out.
     frame: the frame that poses are in; the root of the tree of frames where it is left out.
-    odometry: the topic of odometry to take poses from, in place of TF where both have them.
+    odometry: the topic of odometry to take poses from, in place of TF where both have them. Clouds
+    that are in the frame in which it places the sensor, as registered ones are, are told from the
+    sensor.
     poses: poses of the sensor in KITTI's or TUM's form, in place of those of the recording.
     model, calibration: of Velodyne packets, as VelodyneDataset has them.
 
@@ -111,10 +114,12 @@ class BagDataset:
         calibration: str | os.PathLike[str] | None = None,
     ) -> None:
         if poses is not None and (frame is not None or odometry is not None):
-            raise ValueError("poses: expected without frame and odometry, which choose poses of the "
-                             "recording")
+            raise ValueError("poses: expected without frame and odometry, which choose those of "
+                             "the recording")
         self._path = Path(path)
         self._poses = pose_file(poses)
+        self._sensor: str | None = None
+        """The frame to tell clouds from, where that is not their own."""
         self._decoders = decoders(model, None if calibration is None else Path(calibration))
         self._frame = None if frame is None else frame.lstrip("/")
         with self.reader() as recording, naming(self._path, *OTHERWISE):
@@ -157,12 +162,12 @@ class BagDataset:
         if wanted is None and len(clouds) == 1:
             return clouds[0]
         if wanted is None and clouds:
-            raise ValueError(f"{self._path}: expected one topic of clouds, got {', '.join(clouds)}; "
-                             "choose one with topic=")
+            raise ValueError(f"{self._path}: expected one topic of clouds, got {', '.join(clouds)}"
+                             "; choose one with topic=")
         expected = "a topic of clouds" if wanted is None else f"clouds on {wanted}"
         found = ", ".join(f"{topic} ({types[topic]})" for topic in sorted(types)) or "nothing"
-        raise ValueError(f"{self._path}: expected {expected}, got a recording of {found}; clouds are "
-                         f"{', '.join(READABLE)}")
+        raise ValueError(f"{self._path}: expected {expected}, got a recording of {found}; "
+                         f"clouds are {', '.join(READABLE)}")
 
     def _connections(self, recording: Recording) -> list[Any]:
         return [each for each in recording.connections
@@ -208,15 +213,22 @@ class BagDataset:
         return set(topics)
 
     def _check_frames(self, recording: Recording, odometry: str | None, own: set[str]) -> None:
-        """Tells at once, of the first cloud, that there will be no poses as they are asked for."""
+        """Tells at once, of the first cloud, that there will be no poses as they are asked for.
+
+        Finds the sensor's frame where clouds are in the one that odometry places it in.
+        """
         connection, _, raw = next(recording.messages(self._connections(recording)),
                                   (None, 0, b""))
         if connection is None:
             return
         header = recording.deserialize(raw, connection).header
-        self._pose(0, header)
         frame = header.frame_id.lstrip("/")
         above = self._frames.above(frame)
+        below = [child for child in own if frame in self._frames.above(child)[1:]]
+        if odometry is not None and own.isdisjoint(above) and len(below) == 1:
+            self._sensor, = below
+            above = self._frames.above(self._sensor)
+        self._pose(0, header)
         there_are = f"; there are {', '.join(map(repr, self._frames.names())) or 'none'}"
         if self._frame is not None and self._frame not in above:
             raise ValueError(f"{self._path}: expected a frame above {frame!r}, got {self._frame!r}"
@@ -236,12 +248,20 @@ class BagDataset:
         # Simulated time may begin with 0, but does not stay there.
         if time_ns == 0 and index > 0:
             return None, "its header has the time 0, so that nothing tells which pose is its own"
+        frame = self._sensor or header.frame_id.lstrip("/")
         try:
-            return self._frames.pose(header.frame_id.lstrip("/"), time_ns, self._frame), None
+            return self._frames.pose(frame, time_ns, self._frame), None
         except PoseMissing as missing:
             return None, str(missing)
         except ValueError as error:
             raise ValueError(f"{self._path}: {error}") from error
+
+    def _in_cloud(self, sensor: str, header: Any) -> Matrix:
+        """The sensor's pose in the frame of the cloud."""
+        try:
+            return self._frames.pose(sensor, nanoseconds(header.stamp), header.frame_id.lstrip("/"))
+        except PoseMissing as missing:
+            raise ValueError(f"{self._path}: {missing}") from missing
 
     def __len__(self) -> int:
         return self._count
@@ -263,6 +283,10 @@ class BagDataset:
         except ValueError as error:
             raise ValueError(f"{self._path}: message {index} of {self.topic}: {error}") from error
         pose, pose_missing = self._pose(index, message.header)
+        if pose is None and are_of_a_map(points):
+            (points, pose), pose_missing = told_from_middle(points, fields), None
+        elif pose is not None and self._sensor is not None:
+            points = told_from(points, fields, self._in_cloud(self._sensor, message.header))
         return Scan(
             name=f"{index:06}",
             points=points,

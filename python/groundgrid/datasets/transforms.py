@@ -184,10 +184,15 @@ class FrameTree:
         return matrix
 
     def _not_placed(self, frame: str, reference: str | None) -> str:
+        others = sorted(each for each in self.children() if frame in self.above(each))
+        if reference is None and others:
+            return (f"the cloud is in {frame!r}, in which TF or odometry places "
+                    f"{', '.join(map(repr, others))}: that of a map, not of the sensor; name the "
+                    "sensor's odometry with odometry= to have it told from the sensor")
         name = repr(frame) if frame else "'' (its header names none)"
         where = "in any other" if reference is None else f"in {reference!r}"
-        return (f"neither TF nor odometry says where the cloud's frame {name} is {where}; there are "
-                f"{self._quoted_names()}; record the transform to it, too (/tf_static)")
+        return (f"neither TF nor odometry says where the cloud's frame {name} is {where}; there "
+                f"are {self._quoted_names()}; record the transform to it, too (/tf_static)")
 
     def _quoted_names(self) -> str:
         return ", ".join(map(repr, self.names())) or "none"

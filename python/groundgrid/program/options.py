@@ -14,6 +14,7 @@ from tqdm import tqdm
 
 from .. import datasets
 from .._core import Config, parameters
+from .map_coverage import MapCheck
 from ..datasets import Dataset, Scan
 
 # Options of loaders, by the name that the loader has for them.
@@ -120,18 +121,19 @@ def value_of(text: str) -> Any:
         return text
 
 
-def scans_of(dataset: Dataset, options: argparse.Namespace) -> Iterator[Scan]:
-    """The scans, with a progress bar where somebody may look at it."""
+def scans_of(dataset: Dataset, options: argparse.Namespace, config: Config) -> Iterator[Scan]:
+    """The scans, with a progress bar where somebody may look at it, and words about odd ones."""
     total = operator.length_hint(dataset, 0)
     if options.scans is not None:
         total = min(total, options.scans) if total else options.scans
     bar = tqdm(total=total or None, unit="scan", leave=False, disable=None)
-    check = PoseCheck(options)
+    poses, places = PoseCheck(options), MapCheck(options.input, config, warn)
     with bar:
         for number, scan in enumerate(dataset):
             if options.scans is not None and number >= options.scans:
                 return
-            check.add(number, scan)
+            poses.add(number, scan)
+            places.add(scan)
             yield scan
             bar.update()
 

@@ -14,14 +14,14 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import __version__
-from .._core import GroundGrid, Label, ScanResult, write_labels
+from .._core import Config, GroundGrid, Label, ScanResult, write_labels
 from ..datasets import BagDataset, Dataset, FileDataset, Scan
 from ..evaluation import to_semantic_kitti
 from ..output_files import hidden_file
 from ..rasters import TerrainMosaic, checked_crs
 from .clouds import source_of, write_las, write_pcl
 from .labelled_bag import LabelledBag, labelled_bag
-from .options import Inputs, add_input, add_method, config_of, open_input, scans_of
+from .options import Inputs, add_input, add_method, config_of, open_input, scans_of, warn
 
 CLOUDS = ("pcd", "ply", "las", "laz")
 Matrix = npt.NDArray[np.float64]
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> None:
     record.unlink(missing_ok=True)
     with ExitStack() as stack:
         output = Output(dataset, folder, options, stack)
-        summary = segment(dataset, GroundGrid(config), output, options)
+        summary = segment(dataset, config, output, options)
     summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
     with hidden_file(record) as hidden:
         hidden.write_text(json.dumps(summary, indent=2) + "\n")
@@ -83,11 +83,12 @@ def place_of(dataset: Dataset, output: Path) -> Path:
 
 
 def segment(
-    dataset: Dataset, grid: GroundGrid, output: Output, options: argparse.Namespace
+    dataset: Dataset, config: Config, output: Output, options: argparse.Namespace
 ) -> dict[str, Any]:
+    grid = GroundGrid(config)
     counts, times_ms = np.zeros(len(Label), np.int64), []
     missing: Counter[str] = Counter()
-    for number, scan in enumerate(scans_of(dataset, options)):
+    for number, scan in enumerate(scans_of(dataset, options, config)):
         pose = None if options.single_scan else scan.pose
         if pose is None:
             grid.reset()
@@ -100,6 +101,12 @@ def segment(
         output.add_terrain(scan.name, grid, is_placed=pose is not None)
     if not times_ms:
         raise ValueError(f"{options.input}: expected scans, got none")
+    if counts.sum() == 0:
+        warn(f"{options.input}: none of {len(times_ms)} scans has any point")
+    elif counts.sum() == counts[Label.UNKNOWN]:
+        raise ValueError(f"{options.input}: expected ground or obstacles, got no answer for any of "
+                         f"{counts.sum()} points in {len(times_ms)} scans: all are without a "
+                         "return, not finite, too near or outside of the map")
     output.finish()
     return {
         "scans": len(times_ms),

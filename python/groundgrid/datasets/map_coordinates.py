@@ -1,0 +1,63 @@
+"""Coordinates of a map, such as UTM's, where those of the sensor are expected."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .scan import points_of
+
+# No LiDAR has most of its returns from farther away.
+FARTHEST_M = 1000.0
+# Of the points, to either side: stray ones do not move the middle.
+STRAY_PERCENT = 1.0
+
+Points = npt.NDArray[np.float32]
+Matrix = npt.NDArray[np.float64]
+Fields = Mapping[str, npt.NDArray[Any]]
+
+
+def placed(fields: Fields, count: int) -> tuple[Points, Matrix | None]:
+    """N x 4 points of a scan without a pose, and None; of coordinates of a map the points told from
+    their middle, and the pose that leads back. Raises ValueError without x, y, z."""
+    points = points_of(fields, count)
+    return told_from_middle(points, fields) if are_of_a_map(points) else (points, None)
+
+
+def are_of_a_map(points: Points) -> bool:
+    """Whether most of the points are farther away than a sensor sees."""
+    far = np.abs(points[:, :2]).max(axis=1, initial=0.0) > FARTHEST_M
+    # Of almost every scan, which is then looked at no further.
+    if not far.any():
+        return False
+    seen = are_seen(points[:, :3])
+    return bool(2 * np.count_nonzero(far & seen) > np.count_nonzero(seen))
+
+
+def are_seen(places: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
+    """Which are finite and not 0, 0, 0, which is a ray without a return."""
+    seen: npt.NDArray[np.bool_] = np.isfinite(places).all(axis=1) & places.any(axis=1)
+    return seen
+
+
+def told_from(points: Points, fields: Fields, pose: Matrix) -> Points:
+    """The points in the frame whose pose in theirs this is.
+
+    From the fields, which may have more digits than the points.
+    """
+    places = np.stack([np.asarray(fields[name], np.float64) for name in "xyz"], axis=1)
+    seen = are_seen(places)
+    points[seen, :3] = (places[seen] - pose[:3, 3]) @ pose[:3, :3]
+    return points
+
+
+def told_from_middle(points: Points, fields: Fields) -> tuple[Points, Matrix]:
+    """The points from the middle of their bounds, in whole metres, and the pose that leads back."""
+    places = np.stack([np.asarray(fields[name], np.float64) for name in "xyz"], axis=1)
+    bounds = np.percentile(places[are_seen(places)], [STRAY_PERCENT, 100 - STRAY_PERCENT], axis=0)
+    pose = np.eye(4)
+    pose[:3, 3] = np.round(bounds.mean(axis=0))
+    return told_from(points, fields, pose), pose
