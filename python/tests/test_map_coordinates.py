@@ -1,6 +1,7 @@
 """Clouds in the coordinates of a map, and scans larger than the map or outside of it."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -120,7 +121,7 @@ def test_scans_without_any_answer_are_an_error(registered, tmp_path, capsys):
         assert run(registered, tmp_path / "out", *command) == 1
         told = capsys.readouterr().err
         assert "100 % of its points are outside of the 120 m" in told
-        assert "from 190.2 to 210.0 m in x" in told
+        assert re.search(r"they are from 190\.\d to 20\d\.\d m in x and from -", told)
         assert "take the cloud in the sensor's frame" in told
         assert "expected ground or obstacles, got no answer for any of 10280 points" in told
         assert not (tmp_path / "out" / "run.json").exists()
@@ -150,7 +151,17 @@ def test_scans_larger_than_the_map_are_told_of_with_what_covers_them(tmp_path, c
     assert json.loads((tmp_path / "out" / "run.json").read_text())["counts"]["unknown"] == 0
     path = write_las(tmp_path / "strip.las", strip(1500))
     assert run(path, tmp_path / "out") == 0
-    assert "Split it into tiles of at most 1352 m, or use larger cells" in capsys.readouterr().err
+    words = "split the scan into tiles of at most 1352 m, or use larger cells"
+    assert words in capsys.readouterr().err
+
+
+def test_millimetres_are_no_map(tmp_path, plane, capsys):
+    np.save(tmp_path / "a.npy", plane * 1000)
+    assert groundgrid.datasets.open(tmp_path / "a.npy")[0].pose is None
+    assert run(tmp_path / "a.npy", tmp_path / "out") == 1
+    told = capsys.readouterr().err
+    assert re.search(r"they are from -9\d00\.0 to 9\d00\.0 m in x", told)
+    assert "--set" not in told and "If these are millimetres, make them metres" in told
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])

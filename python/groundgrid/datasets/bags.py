@@ -167,7 +167,7 @@ class BagDataset:
         expected = "a topic of clouds" if wanted is None else f"clouds on {wanted}"
         found = ", ".join(f"{topic} ({types[topic]})" for topic in sorted(types)) or "nothing"
         raise ValueError(f"{self._path}: expected {expected}, got a recording of {found}; "
-                         f"clouds are {', '.join(READABLE)}")
+                         f"clouds are {', '.join(READABLE)}: record one of these")
 
     def _connections(self, recording: Recording) -> list[Any]:
         return [each for each in recording.connections

@@ -28,19 +28,30 @@ def placed(fields: Fields, count: int) -> tuple[Points, Matrix | None]:
 
 
 def are_of_a_map(points: Points) -> bool:
-    """Whether most of the points are farther away than a sensor sees."""
+    """Whether most of the points are farther away than a sensor sees, and not all around it, as they
+    would be in millimetres."""
     far = np.abs(points[:, :2]).max(axis=1, initial=0.0) > FARTHEST_M
     # Of almost every scan, which is then looked at no further.
     if not far.any():
         return False
     seen = are_seen(points[:, :3])
-    return bool(2 * np.count_nonzero(far & seen) > np.count_nonzero(seen))
+    if 2 * np.count_nonzero(far & seen) <= np.count_nonzero(seen):
+        return False
+    low, high = bounds_of(points[seen, :2])
+    return bool((low > 0).any() or (high < 0).any())
 
 
 def are_seen(places: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
     """Which are finite and not 0, 0, 0, which is a ray without a return."""
     seen: npt.NDArray[np.bool_] = np.isfinite(places).all(axis=1) & places.any(axis=1)
     return seen
+
+
+def bounds_of(places: npt.NDArray[Any]) -> npt.NDArray[np.float64]:
+    """The least and the greatest coordinates, but for stray points."""
+    bounds: npt.NDArray[np.float64] = np.percentile(
+        places.astype(np.float64), [STRAY_PERCENT, 100 - STRAY_PERCENT], axis=0)
+    return bounds
 
 
 def told_from(points: Points, fields: Fields, pose: Matrix) -> Points:
@@ -57,7 +68,6 @@ def told_from(points: Points, fields: Fields, pose: Matrix) -> Points:
 def told_from_middle(points: Points, fields: Fields) -> tuple[Points, Matrix]:
     """The points from the middle of their bounds, in whole metres, and the pose that leads back."""
     places = np.stack([np.asarray(fields[name], np.float64) for name in "xyz"], axis=1)
-    bounds = np.percentile(places[are_seen(places)], [STRAY_PERCENT, 100 - STRAY_PERCENT], axis=0)
     pose = np.eye(4)
-    pose[:3, 3] = np.round(bounds.mean(axis=0))
+    pose[:3, 3] = np.round(bounds_of(places[are_seen(places)]).mean(axis=0))
     return told_from(points, fields, pose), pose

@@ -9,7 +9,7 @@ import numpy as np
 
 from .._core import Config, parameters
 from ..datasets import Scan
-from ..datasets.map_coordinates import are_seen
+from ..datasets.map_coordinates import are_seen, bounds_of
 
 EXTENT = next(each for each in parameters() if each.name.endswith("extent_m"))
 # Of a map; the core refuses more.
@@ -28,11 +28,11 @@ class MapCheck:
         self._told: set[str] = set()
 
     def add(self, scan: Scan) -> None:
-        self._tell(scan, "most", most_outside(scan, self._extent_m, self._largest_m))
-        self._tell(scan, "coarse", coarse(scan))
+        self._tell(scan, "outside", lambda: most_outside(scan, self._extent_m, self._largest_m))
+        self._tell(scan, "coarse", lambda: coarse(scan))
 
-    def _tell(self, scan: Scan, kind: str, words: str) -> None:
-        if words and kind not in self._told:
+    def _tell(self, scan: Scan, kind: str, look: Callable[[], str]) -> None:
+        if kind not in self._told and (words := look()):
             self._told.add(kind)
             self._warn(f"{self._path}: scan {scan.name}: {words}")
 
@@ -46,16 +46,17 @@ def most_outside(scan: Scan, extent_m: float, largest_m: float) -> str:
     outside = np.abs(places[:, :2]).max(axis=1, initial=0.0) > extent_m / 2
     if 2 * np.count_nonzero(outside) <= len(places):
         return ""
-    (west, south), (east, north) = places[:, :2].min(axis=0), places[:, :2].max(axis=0)
+    (west, south), (east, north) = bounds_of(places[:, :2])
     words = (f"{100 * outside.mean():.0f} % of its points are outside of the {extent_m:g} m around "
              f"the sensor that the map covers: they are from {west:.1f} to {east:.1f} m in x and "
              f"from {south:.1f} to {north:.1f} m in y of the sensor")
     if max(west, -east, south, -north) > 0:
         return (f"{words}. If these are coordinates of a map, take the cloud in the sensor's "
                 "frame, or one whose poses or odometry say where the sensor was")
-    needed_m = np.ceil(2 * max(east, north, -west, -south)) + 1
+    needed_m = np.ceil(2 * np.abs(places[:, :2]).max()) + 1
     if needed_m > largest_m:
-        return f"{words}. Split it into tiles of at most {largest_m:.0f} m, or use larger cells"
+        return (f"{words}. If these are millimetres, make them metres; else split the scan into "
+                f"tiles of at most {largest_m:.0f} m, or use larger cells")
     return f"{words}. --set {EXTENT.name}={needed_m:.0f} covers all"
 
 
