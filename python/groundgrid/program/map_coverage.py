@@ -9,7 +9,7 @@ import numpy as np
 
 from .._core import Config, parameters
 from ..datasets import Scan
-from ..datasets.map_coordinates import are_seen, bounds_of
+from ..datasets.map_coordinates import are_beyond, are_seen, bounds_of
 
 EXTENT = next(each for each in parameters() if each.name.endswith("extent_m"))
 # Of a map; the core refuses more.
@@ -39,21 +39,24 @@ class MapCheck:
 
 def most_outside(scan: Scan, extent_m: float, largest_m: float) -> str:
     """Words if more than half of the points lie outside of the map; else none."""
-    places = scan.points[are_seen(scan.points[:, :3]), :3].astype(np.float64)
+    seen = are_seen(scan.points[:, :3])
+    x, y, z = scan.points[:, :3].T
     # The axes of the map are those of the poses.
     if scan.pose is not None:
-        places = places @ scan.pose[:3, :3].T
-    outside = np.abs(places[:, :2]).max(axis=1, initial=0.0) > extent_m / 2
-    if 2 * np.count_nonzero(outside) <= len(places):
+        with np.errstate(invalid="ignore", over="ignore"):
+            x, y = (a * x + b * y + c * z for a, b, c in scan.pose[:2, :3].astype(np.float32))
+    outside = are_beyond(x, y, extent_m / 2)[seen]
+    if 2 * np.count_nonzero(outside) <= len(outside):
         return ""
-    (west, south), (east, north) = bounds_of(places[:, :2])
+    places = np.stack([x[seen], y[seen]], axis=1)
+    (west, south), (east, north) = bounds_of(places)
     words = (f"{100 * outside.mean():.0f} % of its points are outside of the {extent_m:g} m around "
              f"the sensor that the map covers: they are from {west:.1f} to {east:.1f} m in x and "
              f"from {south:.1f} to {north:.1f} m in y of the sensor")
     if max(west, -east, south, -north) > 0:
         return (f"{words}. If these are coordinates of a map, take the cloud in the sensor's "
                 "frame, or one whose poses or odometry say where the sensor was")
-    needed_m = np.ceil(2 * np.abs(places[:, :2]).max()) + 1
+    needed_m = np.ceil(2 * np.abs(places).max()) + 1
     if needed_m > largest_m:
         return (f"{words}. If these are millimetres, make them metres; else split the scan into "
                 f"tiles of at most {largest_m:.0f} m, or use larger cells")
