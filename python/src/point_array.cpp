@@ -11,6 +11,9 @@ namespace groundgrid::python {
 namespace {
 
 constexpr auto kFloatBytes = static_cast<std::ptrdiff_t>(sizeof(float));
+/// No LiDAR gives so many numbers a point; more of them than points is an array that lies the other
+/// way round, or an image.
+constexpr std::size_t kMostColumns = 16;
 
 /// A point of a copy: its coordinates, and its time where it has one.
 struct Record {
@@ -44,6 +47,11 @@ HeldBuffer checked_points(HeldBuffer points) {
     reject_number_type("points", "an array of float32 or float64", points);
   if (points.dimensions() != 2 || points.length(1) < 3)
     reject_shape("points", "an array of N rows with x, y, z first", points);
+  if (points.length(1) > std::max(kMostColumns, points.length(0)) && points.length(0) > 0)
+    reject_shape("points",
+                 "a row for each point, x, y, z first; one with a column for each point is handed "
+                 "over as points.T",
+                 points);
   if (points.length(0) > kMaxPointsPerCall)
     throw nb::value_error(("points: more than " + std::to_string(kMaxPointsPerCall) +
                            " in one call; hand them over in parts")

@@ -105,6 +105,8 @@ def test_any_rotation_comes_back_from_its_quaternion(turn, axis):
     ("name", "content", "words"),
     [
         ("a.npy", {"points": np.zeros((5, 2))}, "got float64 of shape"),
+        ("a.npy", {"points": np.zeros((4, 5000))}, r"got shape \(4, 5000\); .* store points.T"),
+        ("a.npz", {"points": np.zeros((3, 17))}, r"got shape \(3, 17\); .* store points.T"),
         ("a.npy", {"points": np.array(["x", "y"])}, "expected N x 3 or more numbers"),
         ("a.npz", {"x": np.zeros(3), "y": np.zeros(3)}, "got none named z"),
         ("a.npz", {"points": POINTS, "labels": np.zeros(4)}, "labels: expected 5 of them"),

@@ -7,13 +7,17 @@ from rosbags.highlevel import AnyReader
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_typestore, get_types_from_msg
 
 import groundgrid
 from groundgrid.datasets import BagDataset
+from groundgrid.datasets.cloud_messages import definitions
 
 STORE = get_typestore(Stores.ROS2_HUMBLE)
 STORE1 = get_typestore(Stores.ROS1_NOETIC)
+for each in (STORE, STORE1):
+    for name, text in definitions().items():
+        each.register(get_types_from_msg(text, name))
 CLOUD = "sensor_msgs/msg/PointCloud2"
 TYPES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 
@@ -210,6 +214,69 @@ def places(path, **options):
             for each in BagDataset(path, **options)]
 
 
+def reasons(path, **options):
+    return [scan.pose_missing for scan in BagDataset(path, **options)]
+
+
+def test_scans_outside_of_the_times_of_tf_say_so(moving):
+    words = "its time is behind the poses of 'base' in 'map', which are from 10.000 to 11.000 s"
+    assert reasons(moving) == [None, None, words]
+
+
+@pytest.mark.parametrize(
+    ("frame", "others", "words"),
+    [
+        ("lidar", [tf(1.0, "odom", "base", (0.0, 0.0, 0.0))],
+         "neither TF nor odometry says where the cloud's frame 'lidar' is in any other; there are "
+         "'base', 'odom'; record the transform to it, too (/tf_static)"),
+        ("lidar", [odometry(1.0, 0.0)], "says where the cloud's frame 'lidar' is in any other"),
+        ("", [odometry(1.0, 0.0)], "frame '' (its header names none) is in any other"),
+        ("lidar", [tf(1.0, "lidar", "base", (0.0, 0.0, 0.0)),
+                   tf(1.0, "base", "lidar", (0.0, 0.0, 0.0))], "form a ring: lidar, base"),
+        ("lidar", [tf(7.0, "odom", "lidar", (0.0, 0.0, 0.0))], "before the poses of 'lidar'"),
+    ],
+)
+def test_a_pose_that_is_missing_has_a_reason(tmp_path, frame, others, words):
+    topics = ["/odom" if each.__msgtype__.endswith("Odometry") else "/tf" for each in others]
+    messages = [(topic, each, 1.0) for topic, each in zip(topics, others)]
+    messages.append(("/points", cloud(STORE, "plain", 0, 1.0, frame), 1.0))
+    path = write(tmp_path / "drive", messages, "MCAP")
+    assert places(path) == [None]
+    assert words in reasons(path)[0]
+
+
+def test_fixed_transforms_alone_are_no_way_of_the_sensor(tmp_path):
+    messages = [("/tf_static", tf(0, "base", "lidar", (1.0, 0.0, 2.0)), 0.0),
+                ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    assert reasons(path) == ["'lidar' is fixed in 'base', and nothing says how 'base' moves; there "
+                             "are 'base', 'lidar'"]
+
+
+def test_headers_without_a_time_have_no_pose(tmp_path):
+    messages = [("/tf", tf(time_s, "map", "lidar", (2.0, 0.0, 0.0)), time_s)
+                for time_s in (0.0, 1.0)]
+    messages += [("/points", cloud(STORE, "plain", number, 0.0), number) for number in range(2)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    # Simulated time begins with 0.
+    assert places(path) == [[2, 0, 0], None]
+    assert reasons(path)[0] is None and "its header has the time 0" in reasons(path)[1]
+
+
+def test_recordings_without_any_pose_have_no_reason(tmp_path):
+    path = write(tmp_path / "drive", [("/points", cloud(STORE, "plain", 0), 0)], "MCAP")
+    assert places(path) == [None] and reasons(path) == [None]
+
+
+def test_poses_from_a_file_stand_for_those_of_the_recording(moving, tmp_path):
+    (tmp_path / "poses.txt").write_text("10 0 0 0 0 0 0 1\n12 20 0 0 0 0 0 1\n")
+    found = places(moving, poses=tmp_path / "poses.txt")
+    np.testing.assert_allclose(found, [[5, 0, 0], [10.5, 0, 0], [20, 0, 0]])
+    assert reasons(moving, poses=tmp_path / "poses.txt") == [None] * 3
+    with pytest.raises(ValueError, match="poses: expected without frame and odometry"):
+        BagDataset(moving, poses=tmp_path / "poses.txt", odometry="/odom")
+
+
 def test_two_odometries_of_one_frame_are_not_mixed(tmp_path):
     points = ("/points", cloud(STORE, "plain", 0, 1.0), 1.0)
     wheel = ("/wheel", odometry(1.0, 3.0, "lidar"), 1.0)
@@ -282,11 +349,50 @@ def test_poses_that_are_no_numbers_are_refused(tmp_path, topic, message, words):
 def test_one_of_several_topics_is_to_be_named(tmp_path):
     messages = [(topic, cloud(STORE, "plain", 0), 0) for topic in ("/front", "/rear")]
     path = write(tmp_path / "drive", messages, "MCAP")
-    with pytest.raises(ValueError, match="expected one topic of PointCloud2, got /front, /rear"):
+    with pytest.raises(ValueError, match="expected one topic of clouds, got /front, /rear; choose"):
         BagDataset(path)
-    with pytest.raises(ValueError, match="expected clouds on /top, got /front, /rear"):
+    there = r"clouds on /top, got a recording of /front \(sensor_msgs/msg/PointCloud2\), /rear"
+    with pytest.raises(ValueError, match=there):
         BagDataset(path, topic="/top")
     assert len(list(BagDataset(path, topic="/rear"))) == 1
+
+
+def test_a_recording_without_clouds_says_what_is_in_it_and_what_clouds_are(tmp_path):
+    path = write(tmp_path / "drive", [("/odom", odometry(1.0, 3.0), 1.0)], "MCAP")
+    words = (r"drive: expected a topic of clouds, got a recording of /odom \(nav_msgs/msg/"
+             r"Odometry\); clouds are sensor_msgs/msg/PointCloud2, livox_ros_driver/msg/CustomMsg, ")
+    with pytest.raises(ValueError, match=words):
+        BagDataset(path)
+
+
+def livox(store, package, scan, time_s=0.0):
+    point, kind = (store.types[f"{package}/msg/{name}"] for name in ("CustomPoint", "CustomMsg"))
+    points = [point(1000 * k, 1.5 + k, 20.25 + scan, -3.0, 60 + k, 16, k % 4) for k in range(6)]
+    return kind(header(store, time_s, "lidar"), int(time_s * 1e9), len(points), 0,
+                np.zeros(3, np.uint8), points)
+
+
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+@pytest.mark.parametrize("package", ["livox_ros_driver", "livox_ros_driver2", "livox_interfaces"])
+def test_livox_messages_are_clouds_with_times(tmp_path, package, storage):
+    store = store_of(storage)
+    messages = [("/livox/lidar", livox(store, package, scan, scan), scan) for scan in range(2)]
+    dataset = groundgrid.datasets.open(write(tmp_path / "drive", messages, storage))
+    assert dataset.topic == "/livox/lidar" and len(dataset) == 2
+    for number, scan in enumerate(dataset):
+        expected = [[1.5 + k, 20.25 + number, -3.0, 60 + k] for k in range(6)]
+        np.testing.assert_array_equal(scan.points, expected)
+        assert scan.fields["t"].tolist() == [0, 1000, 2000, 3000, 4000, 5000]
+        assert scan.fields["tag"].tolist() == [16] * 6
+        assert scan.fields["line"].tolist() == [0, 1, 2, 3, 0, 1] and scan.time_s == number
+
+
+def test_livox_messages_that_count_other_points_are_refused(tmp_path):
+    message = livox(STORE, "livox_ros_driver2", 0)
+    object.__setattr__(message, "point_num", 7)
+    path = write(tmp_path / "drive", [("/livox/lidar", message, 0)], "MCAP")
+    with pytest.raises(ValueError, match="message 0 of /livox/lidar: .* it counts, 7, got 6"):
+        list(BagDataset(path))
 
 
 def test_other_files_are_refused(tmp_path):
@@ -332,10 +438,15 @@ def test_endings_in_capitals_are_told_to_be_renamed(tmp_path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"data": np.zeros(50, np.uint8)}, "expected 1 rows of 6 points in 96 bytes, got 50"),
+        ({"data": np.zeros(50, np.uint8)}, r"cut short: 1 x 6 points of 16 bytes \(height, width, "
+         r"point_step\) take 96 bytes, and it has 50"),
         ({"point_step": 14}, "field 'intensity' reaches beyond a point of 14 bytes"),
-        ({"height": 2, "width": 3, "row_step": 16}, "16 a row"),
-        ({"width": 2**31}, "points in 34359738368 bytes"),
+        ({"height": 2, "width": 2, "row_step": 16}, "rows begin is not clear: 2 rows of 2 points "
+         "take 64 bytes, the cloud has 96 bytes, and its row_step of 16 goes with neither"),
+        ({"height": 2, "width": 2, "row_step": 0}, "row_step of 0 goes with neither"),
+        ({"height": 2, "width": 2, "row_step": 96}, "row_step of 96 goes with neither"),
+        ({"width": 2**31}, "take 34359738368 bytes"),
+        ({"height": 2**16, "width": 2**16}, "take 68719476736 bytes"),
         ({"fields": []}, "got none named x, y, z"),
     ],
 )
@@ -346,6 +457,16 @@ def test_messages_that_contradict_themselves_are_refused(tmp_path, change, words
     path = write(tmp_path / "drive", [("/points", message, 0)], "MCAP")
     with pytest.raises(ValueError, match=f"message 0 of /points: .*{words}"):
         list(BagDataset(path))
+
+
+@pytest.mark.parametrize("row_step", [0, 7, 48, 96, 2**31])
+def test_clouds_without_padding_need_no_row_step(tmp_path, row_step):
+    message = cloud(STORE, "plain", 0)
+    for name, value in {"height": 2, "width": 3, "row_step": row_step}.items():
+        object.__setattr__(message, name, value)
+    (scan,) = BagDataset(write(tmp_path / "drive", [("/points", message, 0)], "MCAP"))
+    for column, name in enumerate(("x", "y", "z", "intensity")):
+        np.testing.assert_array_equal(scan.points[:, column], values(name, 0))
 
 
 def test_empty_clouds_are_scans_of_no_points(tmp_path):

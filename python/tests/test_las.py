@@ -1,12 +1,19 @@
 """LAS and LAZ, with coordinates of a sensor and of a map, in metres and feet."""
 
+import io
+import os
 import struct
+import subprocess
+import sys
 
+import laspy
+import lazrs
 import numpy as np
 import pytest
 from las_files import geo_keys, write_las, wkt
 
 import groundgrid
+from groundgrid.datasets.las_units import las_errors
 
 NEAR = np.array([[1.5, -2.25, -1.625], [30.0, 4.0, 0.5]])
 FAR = np.array([[500000.25, 5400000.5, 300.125], [500100.25, 5400050.5, 310.125]])
@@ -89,6 +96,81 @@ def test_more_records_than_the_file_can_hold_are_refused(tmp_path, name, place, 
     words = f"{name}: expected a LAS or LAZ file, got: {count} records of"
     with pytest.raises(ValueError, match=words):
         groundgrid.datasets.open(file)[0]
+
+
+CHILD = """
+import resource, sys
+from groundgrid.datasets import LasDataset
+import laspy, lazrs, rasterio.crs
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + 2**31,) * 2)
+try:
+    LasDataset(sys.argv[1])[0]
+except ValueError as error:
+    print(error)
+"""
+
+
+def promising(content, what):
+    """A LAZ file's content that asks for gigabytes at one place."""
+    points, = struct.unpack_from("<I", content, 96)
+    table, = struct.unpack_from("<q", content, points)
+    # Behind the head of the record.
+    record = content.index(b"laszip encoded") + 52
+    if what == "bytes of a chunk":
+        written = io.BytesIO()
+        vlr = lazrs.LazVlr(bytes(content[record : record + 70]))
+        lazrs.write_chunk_table(written, [(50000, 2**31 - 256)], vlr)
+        return content[:table] + written.getvalue()
+    place, kind = {
+        "points": (247, "<Q"), "size of a chunk": (record + 12, "<I"), "chunks": (table + 4, "<I"),
+        "bytes of a layer": (points + 8 + 30 + 4, "<I"),
+    }[what]
+    struct.pack_into(kind, content, place, 0xFFFFFF00)
+    return content
+
+
+@pytest.mark.parametrize(
+    ("what", "words"),
+    [
+        ("points", "4294967040 points in a file of"),
+        ("size of a chunk", "4294967040 points in a file of"),
+        ("chunks", "4294967040 chunks in"),
+        ("bytes of a chunk", "chunks of more than the"),
+        ("bytes of a layer", "a chunk of "),
+    ],
+)
+def test_laz_files_that_promise_too_much_are_refused_at_once(tmp_path, what, words):
+    file = write_las(tmp_path / "scan.laz", np.random.default_rng(1).uniform(0, 9, (500, 3)))
+    file.write_bytes(promising(bytearray(file.read_bytes()), what))
+    # lazrs ends the program where memory is short.
+    ended = subprocess.run([sys.executable, "-c", CHILD, str(file)],
+                           capture_output=True, text=True,
+                           env=os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)})
+    assert ended.returncode == 0, ended.stderr
+    assert f"scan.laz: expected a LAS or LAZ file, got: {words}" in ended.stdout
+
+
+def test_laz_files_of_any_format_and_size_pass_the_checks(tmp_path):
+    for kind, count in [(0, 120_000), (3, 1), (6, 120_000), (7, 0), (8, 9), (10, 9)]:
+        header = laspy.LasHeader(version="1.4", point_format=kind)
+        header.add_extra_dim(laspy.ExtraBytesParams("range", "float32"))
+        las = laspy.LasData(header)
+        las.x = las.y = las.z = np.arange(count) * 0.01
+        las.write(tmp_path / f"{kind}.laz")
+        assert len(groundgrid.datasets.open(tmp_path / f"{kind}.laz")[0].points) == count
+
+
+class PanicException(BaseException):
+    """As pyo3 has it, which cannot be imported."""
+
+
+def test_panics_of_lazrs_are_errors_of_the_file(tmp_path):
+    with pytest.raises(ValueError, match="a.laz: .* one that is damaged: divisor of zero"):
+        with las_errors(tmp_path / "a.laz"):
+            raise PanicException("divisor of zero")
+    with pytest.raises(KeyboardInterrupt), las_errors(tmp_path / "a.laz"):
+        raise KeyboardInterrupt
 
 
 DEGREES = (

@@ -86,6 +86,9 @@ def test_takes_what_gives_an_array(plane):
         (np.zeros(3, np.float32), ValueError, r"x, y, z first, got float32 array of shape \(3,\)"),
         (np.zeros((4, 2), np.float32), ValueError, r"\(4, 2\)"),
         (np.zeros((4, 3, 1), np.float32), ValueError, r"\(4, 3, 1\)"),
+        (np.zeros((4, 5000), np.float32), ValueError, r"over as points.T, got .* \(4, 5000\)"),
+        (np.zeros((3, 17)), ValueError, r"handed over as points.T, got .* \(3, 17\)"),
+        (np.zeros((64, 1024), np.float32), ValueError, r"handed over as points.T"),
         (np.broadcast_to(np.zeros(3), (2**40, 3)), ValueError, "more than 4194304"),
     ],
 )
@@ -94,7 +97,7 @@ def test_other_points_are_refused(points, error, words):
         GroundGrid().process(points)
 
 
-@pytest.mark.parametrize("shape", [(0, 3), (0, 7), (1, 3), (2, 3)])
+@pytest.mark.parametrize("shape", [(0, 3), (0, 7), (0, 99), (1, 3), (2, 3), (3, 16), (20, 20)])
 def test_takes_few_points(shape):
     grid = GroundGrid(sensor_height_m=1.5)
     for points in (np.ones(shape, np.float32), np.ones(shape), np.asfortranarray(np.ones(shape))):

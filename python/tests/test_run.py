@@ -126,6 +126,43 @@ def recording(folder, tmp_path):
     return messages
 
 
+def test_scans_without_a_pose_are_told_counted_and_refused(recording, tmp_path, capsys):
+    del recording[2]  # TF has the first and the last scan, and then but the first
+    whole = write(tmp_path / "whole", recording, "MCAP")
+    assert main(["run", str(whole), "--output", str(tmp_path / "a"), "--require-poses"]) == 0
+    assert "warning" not in capsys.readouterr().err
+    assert json.loads((tmp_path / "a" / "run.json").read_text())["single_scans"] == 0
+    del recording[3]
+    cut = write(tmp_path / "cut", recording, "MCAP")
+    assert main(["run", str(cut), "--output", str(tmp_path / "b")]) == 0
+    told = capsys.readouterr()
+    reason = "its time is behind the poses of 'lidar' in 'map', which are from 0.000 to 0.000 s"
+    assert told.err.count("warning") == 1 and "3 scans (2 of them single)" in told.out
+    assert f"cut: scan 000001 of 1.000 s has no pose: {reason}; " in told.err
+    record = json.loads((tmp_path / "b" / "run.json").read_text())
+    assert record["single_scans"] == 2 and record["single_scans_because"] == {reason: 2}
+    assert main(["run", str(cut), "--output", str(tmp_path / "c"), "--require-poses"]) == 1
+    assert "scan 000001 of 1.000 s has no pose: " in capsys.readouterr().err
+    assert "run.json" not in names_in(tmp_path / "c")
+
+
+@pytest.mark.parametrize("scans", [1, 2])
+def test_several_scans_of_an_input_without_poses_are_told_of(answers, tmp_path, capsys, scans):
+    inside, out = tmp_path / "inside", tmp_path / "out"
+    inside.mkdir()
+    for number in range(scans):
+        np.save(inside / f"{number}.npy", answers[number][0].points)
+    assert main(["run", str(inside), "--output", str(out)]) == 0
+    assert ("scan 1 has no pose: the input has none" in capsys.readouterr().err) == (scans == 2)
+    assert json.loads((out / "run.json").read_text())["single_scans"] == scans
+    assert main(["run", str(inside), "--output", str(out), "--single-scan"]) == 0
+    assert "warning" not in capsys.readouterr().err
+    for command in (["run", "--output", str(out)], ["view", "--output", str(tmp_path / "a.rrd")],
+                    ["compare", "--methods", "groundgrid"]):
+        assert main([command[0], str(inside), *command[1:], "--require-poses"]) == 1
+        assert "scan 0 has no pose" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("storage", ["SQLITE3", "MCAP"])
 def test_a_recording_comes_back_with_labelled_clouds(recording, tmp_path, storage):
     bag = write(tmp_path / "drive", recording, storage)
@@ -159,6 +196,25 @@ def test_a_recording_of_ros_1_stays_one(tmp_path):
     for one, more in zip(groundgrid.datasets.open(bag), labelled, strict=True):
         np.testing.assert_array_equal(one.fields["ring"], more.fields["ring"])
         assert more.fields["label"].dtype == np.uint32
+
+
+@pytest.mark.parametrize("storage", ["ros1", "SQLITE3", "MCAP"])
+def test_livox_messages_come_back_with_labelled_clouds(tmp_path, storage):
+    from test_bags import livox, store_of
+
+    messages = [("/livox/lidar", livox(store_of(storage), "livox_ros_driver2", 0), 0)]
+    bag = write(tmp_path / "drive", messages, storage)
+    if storage == "SQLITE3":
+        as_of_humble(bag)
+    flags = ["--bag", "--sensor-height-m", "1.5", "--output", str(tmp_path / "out")]
+    assert main(["run", str(bag), *flags]) == 0
+    ending = ".bag" if storage == "ros1" else ""
+    copy = tmp_path / "out" / f"drive_labelled{ending}"
+    (labelled,) = groundgrid.datasets.open(copy)
+    (original,) = groundgrid.datasets.open(copy, topic="/livox/lidar")
+    np.testing.assert_array_equal(labelled.points, original.points)
+    np.testing.assert_array_equal(labelled.fields["t"], original.fields["t"])
+    assert labelled.fields["label"].dtype == np.uint32
 
 
 def labelled_copy(given, out):
@@ -248,6 +304,7 @@ def test_a_run_that_fails_leaves_whole_files_and_no_record(folder, recording, tm
     ("flags", "words"),
     [
         (["--bag"], "--bag: expected a recording"),
+        (["--require-poses", "--single-scan"], "--require-poses: expected without --single-scan"),
         (["--crs", "EPSG:32632"], "--crs: expected together with --terrain"),
         (["--terrain", "--crs", "EPSG:4326"], "crs: expected one whose x and y are metres"),
         (["--terrain", "--crs", "nowhere"], "crs: expected one that PROJ knows"),

@@ -1,13 +1,14 @@
-"""Captures of a VLP-16, packet by packet as its manual has them."""
+"""Captures and recordings of a VLP-16, packet by packet as its manual has them."""
 
 import struct
 
 import numpy as np
 import pytest
 from captures import write_capture
+from test_bags import STORE, cloud, header, store_of, write
 
 import groundgrid
-from groundgrid.datasets import VelodyneDataset
+from groundgrid.datasets import BagDataset, VelodyneDataset
 
 ELEVATIONS_DEG = [-15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15]
 MICROSECONDS_A_PACKET = 1327
@@ -83,3 +84,39 @@ def test_other_files_are_refused(capture, tmp_path, content):
         list(VelodyneDataset(other))
     with pytest.raises(FileNotFoundError, match="nothing.pcap"):
         VelodyneDataset(tmp_path / "nothing.pcap")
+
+
+def velodyne(store, first, time_s):
+    """A turn of packets, the last of them at the time of the header."""
+    scan, kind = (store.types[f"velodyne_msgs/msg/{name}"]
+                  for name in ("VelodyneScan", "VelodynePacket"))
+    step = MICROSECONDS_A_PACKET * 1e-6
+    packets = [kind(header(store, time_s + (number + 1 - PACKETS_A_TURN) * step, "").stamp,
+                    np.frombuffer(packet(first + number), np.uint8))
+               for number in range(PACKETS_A_TURN)]
+    return scan(header(store, time_s, "velodyne"), packets)
+
+
+@pytest.mark.parametrize("storage", ["ros1", "MCAP"])
+def test_velodyne_packets_are_clouds_with_times(tmp_path, storage):
+    store = store_of(storage)
+    messages = [("/velodyne_packets", velodyne(store, 0, 100.1), 0),
+                ("/velodyne_packets", velodyne(store, PACKETS_A_TURN, 100.2), 1)]
+    path = write(tmp_path / "drive", messages, storage)
+    first, second = groundgrid.datasets.open(path)
+    for scan in (first, second):
+        assert len(scan.points) == PACKETS_A_TURN * 15 * 24
+        np.testing.assert_allclose(np.linalg.norm(scan.points[:, :3], axis=1), 5.0, atol=0.02)
+        assert scan.fields["time"].min() == pytest.approx(-0.1, abs=0.003)
+        assert abs(scan.fields["time"].max()) < 0.002
+    assert first.time_s == pytest.approx(100.1) and set(second.fields["ring"]) <= set(range(16))
+    with pytest.raises(ValueError, match="model: expected one of"):
+        list(groundgrid.datasets.open(path, model="VLP15"))
+
+
+def test_clouds_go_before_the_packets_that_they_are_made_of(tmp_path):
+    messages = [("/packets", velodyne(STORE, 0, 1.0), 1), ("/points", cloud(STORE, "plain", 0), 1)]
+    path = write(tmp_path / "drive", messages, "MCAP")
+    assert BagDataset(path).topic == "/points"
+    (scan,) = BagDataset(path, topic="/packets")
+    assert len(scan.points) == PACKETS_A_TURN * 15 * 24

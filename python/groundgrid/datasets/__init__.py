@@ -5,8 +5,8 @@
 
 `open()` chooses the loader by what is on disk: `FileDataset` for KITTI, SemanticKITTI, nuScenes,
 PCD and PLY, `BagDataset` for ROS 1 and ROS 2 bags and MCAP files, `ArrayDataset` for NumPy's files,
-`LasDataset` for LAS and LAZ, `VelodyneDataset` and `OusterDataset` for packet captures. All but
-`BagDataset` take poses= from a file in KITTI's or TUM's form.
+`LasDataset` for LAS and LAZ, `VelodyneDataset` and `OusterDataset` for packet captures. All take
+poses= from a file in KITTI's or TUM's form.
 """
 
 from ._open import Dataset

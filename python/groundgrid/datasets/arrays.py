@@ -13,11 +13,14 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from .map_coordinates import placed
 from .scan import Scan, points_of
 from .scan_files import ScanFiles, find_scans
 
 ENDINGS = frozenset({".npy", ".npz"})
 COLUMNS = ("x", "y", "z", "intensity")
+# As the module has it: more columns than this, and than points, lie the other way round.
+MOST_COLUMNS = 16
 # Kinds of NumPy's types.
 NUMBERS = "biuf"
 # Those of the core.
@@ -48,7 +51,7 @@ class ArrayDataset(ScanFiles):
 
     def _read(self, path: Path) -> Scan:
         try:
-            return scan_of(path.stem, load(path))
+            return scan_of(path.stem, load(path), self._poses is not None)
         except ERRORS as error:
             if isinstance(error, FileNotFoundError):
                 raise
@@ -78,16 +81,21 @@ def array_of(content: Any, name: str) -> npt.NDArray[Any]:
     return array
 
 
-def scan_of(name: str, content: Mapping[str, npt.NDArray[Any]]) -> Scan:
+def scan_of(name: str, content: Mapping[str, npt.NDArray[Any]], has_pose: bool) -> Scan:
+    """has_pose: whether one from elsewhere will take the place of the content's."""
     rest = dict(content)
     pose, time_s, labels = (rest.pop(each, None) for each in ("pose", "time_s", "labels"))
     fields = fields_of(rest.pop("points")) if "points" in rest else {}
     count = len(next(iter(fields.values()))) if fields else len(np.atleast_1d(rest.get("x", [])))
     fields |= {each: array for each, array in rest.items() if array.shape[:1] == (count,)}
+    if pose is None and not has_pose:
+        points, own = placed(fields, count)
+    else:
+        points, own = points_of(fields, count), None if pose is None else pose_of(pose)
     return Scan(
         name=name,
-        points=points_of(fields, count),
-        pose=None if pose is None else pose_of(pose),
+        points=points,
+        pose=own,
         time_s=None if time_s is None else time_of(time_s),
         labels=None if labels is None else labels_of(labels, count),
         fields=fields,
@@ -142,5 +150,8 @@ def fields_of(points: npt.NDArray[Any]) -> Fields:
     if points.ndim != 2 or points.shape[1] < 3 or points.dtype.kind not in "fiu":
         raise ValueError("expected N x 3 or more numbers or records with x, y, z, got "
                          f"{points.dtype} of shape {points.shape}")
+    if len(points) and points.shape[1] > max(MOST_COLUMNS, len(points)):
+        raise ValueError("expected a row for each point, x, y, z first, got shape "
+                         f"{points.shape}; if it has a column for each point, store points.T")
     return {name: np.ascontiguousarray(points[:, column])
             for column, name in enumerate(COLUMNS[: points.shape[1]])}

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from .._core import find_sequences, read_labels, read_poses, read_records
+from .map_coordinates import placed
 from .scan import Scan, points_of
 
 Path = str | os.PathLike[str]
@@ -69,10 +70,14 @@ class FileDataset:
         )
         table = records.view(dtype)[:, 0]
         fields = {name: table[name] for name, _, _, _ in layout}
+        if self._poses is None:
+            points, pose = placed(fields, len(table))
+        else:
+            points, pose = points_of(fields, len(table)), self._poses[index]
         return Scan(
             name=file.name,
-            points=points_of(fields, len(table)),
-            pose=None if self._poses is None else self._poses[index],
+            points=points,
+            pose=pose,
             labels=read_labels(self._sequence, file, len(table)),
             fields=fields,
         )

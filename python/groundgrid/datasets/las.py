@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
-from .extras import require
 from .las_units import las_errors, open_las, units_of
-from .scan import Scan
+from .map_coordinates import are_of_a_map, told_from_middle
+from .scan import Scan, points_of
 from .scan_files import ScanFiles, find_scans
 
 ENDINGS = frozenset({".las", ".laz"})
@@ -27,7 +25,7 @@ class LasDataset(ScanFiles):
 
     Coordinates in feet, by the file's reference system, become metres; heights whose unit it does
     not tell are taken to have that of x and y. Those too large for 32-bit
-    floats, as those of a map are, are told from the middle of the file's bounds, in whole metres;
+    floats, as those of a map are, are told from the middle of the points, in whole metres;
     the pose is then the way back. Fields have the names of laspy: classification, gps_time, ...
 
     Raises FileNotFoundError and ValueError, with the file, and ImportError where laspy is missing.
@@ -48,33 +46,11 @@ class LasDataset(ScanFiles):
         vertical_m = units.vertical_m or units.horizontal_m
         places = np.stack([points.x, points.y, points.z], axis=1)
         places *= [units.horizontal_m, units.horizontal_m, vertical_m]
-        origin = np.zeros(3)
-        if len(places) and np.abs(places).max() > FARTHEST_M:
-            origin = np.round((places.min(axis=0) + places.max(axis=0)) / 2)
         fields = dict(zip("xyz", places.T))
         fields |= {name: np.array(points[name]) for name in points.point_format.dimension_names
                    if name not in ("X", "Y", "Z")}
-        return Scan(
-            name=path.stem,
-            points=shifted(places, origin, fields.get("intensity")),
-            pose=translation(origin) if origin.any() else None,
-            fields=fields,
-        )
-
-
-def shifted(
-    places: npt.NDArray[np.float64],
-    origin: npt.NDArray[np.float64],
-    intensity: npt.NDArray[Any] | None,
-) -> npt.NDArray[np.float32]:
-    points = np.zeros((len(places), 4), np.float32)
-    points[:, :3] = places - origin
-    if intensity is not None:
-        points[:, 3] = intensity
-    return points
-
-
-def translation(origin: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
-    pose = np.eye(4)
-    pose[:3, 3] = origin
-    return pose
+        found, pose = points_of(fields, len(places)), None
+        if self._poses is None and (np.abs(places).max(initial=0.0) > FARTHEST_M
+                                    or are_of_a_map(found)):
+            found, pose = told_from_middle(found, fields)
+        return Scan(name=path.stem, points=found, pose=pose, fields=fields)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from .extras import require
+from .laz_chunks import check_laz
 
 # Places in the header of LAS, and what a record takes without its content.
 MINOR_VERSION, VLR_COUNT, EVLR_COUNT, HEADER_1_4_BYTES = 25, 100, 243, 375
@@ -42,10 +44,16 @@ def las_errors(path: Path) -> Iterator[None]:
     try:
         yield
     except (laspy.LaspyException, lazrs.LazrsError, ValueError, OSError, EOFError, KeyError,
-            IndexError, MemoryError, OverflowError) as error:
+            IndexError, MemoryError, OverflowError, struct.error) as error:
         if isinstance(error, FileNotFoundError):
             raise
         raise ValueError(f"{path}: expected a LAS or LAZ file, got: {error}") from error
+    except BaseException as error:
+        # Of lazrs, which is in Rust; it is no Exception, and has no name to import.
+        if type(error).__name__ != "PanicException":
+            raise
+        raise ValueError(f"{path}: expected a LAS or LAZ file, got one that is damaged: "
+                         f"{error}") from error
 
 
 @contextmanager
@@ -56,6 +64,7 @@ def open_las(path: Path) -> Iterator[Any]:
         raise FileNotFoundError(f"{path}: expected a LAS or LAZ file, got nothing of that name")
     with las_errors(path):
         check_records(path)
+        check_laz(path)
         reader = laspy.open(path)
     with reader:
         yield reader

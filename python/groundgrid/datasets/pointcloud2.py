@@ -34,20 +34,36 @@ def fields_of(message: Any) -> dict[str, npt.NDArray[Any]]:
         offsets.append(each.offset)
     height, width = message.height, message.width
     data = np.ascontiguousarray(message.data, np.uint8)
-    needed = 0
-    if height and width:
-        needed = (height - 1) * message.row_step + width * message.point_step
-    if data.size < needed or (height > 1 and message.row_step < width * message.point_step):
-        raise ValueError(f"expected {height} rows of {width} points in {needed} bytes, got "
-                         f"{data.size} bytes, {message.row_step} a row")
-    if needed == 0:
+    row_step = row_step_of(message, data.size)
+    if height * width * message.point_step == 0:
         return {name: np.zeros(0, format) for name, format in zip(names, formats)}
     dtype = np.dtype({"names": names, "formats": formats, "offsets": offsets,
                       "itemsize": message.point_step})
     rows = np.ndarray((height, width), dtype, data.data,
-                      strides=(message.row_step, message.point_step))
+                      strides=(row_step, message.point_step))
     return {name: native(rows[name].reshape((math.prod(rows.shape), *rows[name].shape[2:])))
             for name in names}
+
+
+def row_step_of(message: Any, size: int) -> int:
+    """The bytes from row to row of data of this size. Raises ValueError where they do not fit.
+
+    Drivers that leave row_step 0, or put the bytes of the whole cloud there, are many: data of just
+    the bytes of all points have rows without padding, whatever row_step says.
+    """
+    height, width, row_step = int(message.height), int(message.width), int(message.row_step)
+    row = width * int(message.point_step)
+    if size == height * row or height * width == 0:
+        return row
+    if size < height * row:
+        raise ValueError(f"the cloud is cut short: {height} x {width} points of "
+                         f"{message.point_step} bytes (height, width, point_step) take "
+                         f"{height * row} bytes, and it has {size}")
+    if height > 1 and (row_step < row or size < (height - 1) * row_step + row):
+        raise ValueError(f"where its rows begin is not clear: {height} rows of {width} points take "
+                         f"{height * row} bytes, the cloud has {size} bytes, and its row_step of "
+                         f"{row_step} goes with neither")
+    return row_step
 
 
 def native(numbers: npt.NDArray[Any]) -> npt.NDArray[Any]:

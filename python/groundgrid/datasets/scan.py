@@ -32,9 +32,12 @@ class Scan:
     fields: Mapping[str, npt.NDArray[Any]] = field(default_factory=dict)
     """Every number of the points as the source has it, by name: "ring", "t", ..."""
 
+    pose_missing: str | None = None
+    """Why a source that has poses has none for this scan; None where it has, or has no poses."""
+
     def at(self, pose: npt.NDArray[np.float64] | None) -> Scan:
         """The same scan with another pose."""
-        return replace(self, pose=pose)
+        return replace(self, pose=pose, pose_missing=None)
 
 
 def points_of(fields: Mapping[str, npt.NDArray[Any]], count: int) -> npt.NDArray[np.float32]:

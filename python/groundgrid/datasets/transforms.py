@@ -15,6 +15,10 @@ Vector = npt.NDArray[np.float64]
 TOLERANCE_NS = 100_000_000
 
 
+class PoseMissing(Exception):
+    """Why a frame has no pose at a time, in words."""
+
+
 def quaternion_of(orientation: Any) -> Vector:
     """x, y, z, w of length 1 from members of these names. Raises ValueError for another length."""
     quaternion = np.array([orientation.x, orientation.y, orientation.z, orientation.w], np.float64)
@@ -84,13 +88,18 @@ class Track:
 
     def at(self, time_ns: int) -> Matrix | None:
         """Interpolated; None where the time lies outside of the track."""
+        times = self.times_ns()
+        after = bisect_left(times, time_ns)
+        if 0 < after < len(times):
+            return self._between(times[after - 1], times[after], time_ns)
+        nearest = times[0 if after == 0 else -1]
+        return matrix_of(*self._poses[nearest]) if abs(nearest - time_ns) <= TOLERANCE_NS else None
+
+    def times_ns(self) -> list[int]:
+        """Of the poses, in order."""
         if not self._times:
             self._times = sorted(self._poses)
-        after = bisect_left(self._times, time_ns)
-        if 0 < after < len(self._times):
-            return self._between(self._times[after - 1], self._times[after], time_ns)
-        nearest = self._times[0 if after == 0 else -1]
-        return matrix_of(*self._poses[nearest]) if abs(nearest - time_ns) <= TOLERANCE_NS else None
+        return self._times
 
     def _between(self, first: int, second: int, time_ns: int) -> Matrix:
         share = (time_ns - first) / (second - first)
@@ -127,6 +136,10 @@ class FrameTree:
         """Where the frame is in its parent cannot be told. Frames that do not need it still can."""
         self._refused[child] = words
 
+    def is_empty(self) -> bool:
+        """Whether there is nothing that could be a pose."""
+        return not (self._fixed or self._moving or self._refused)
+
     def children(self) -> set[str]:
         """The frames that have a parent."""
         return {*self._fixed, *self._moving}
@@ -146,11 +159,11 @@ class FrameTree:
             names.append(frame)
         return names
 
-    def pose(self, frame: str, time_ns: int, reference: str | None = None) -> Matrix | None:
+    def pose(self, frame: str, time_ns: int, reference: str | None = None) -> Matrix:
         """T_reference_frame, the reference being the root of the tree where it is left out.
 
-        None where the frame has no parent, the reference is not above it, or a time is unknown.
-        Raises ValueError where a frame on the way is refused.
+        Raises PoseMissing where the frame has no parent, nothing above it moves, the reference is
+        not above it, or a time is unknown, and ValueError where a frame on the way is refused.
         """
         names = self.above(frame, reference)
         for each in names:
@@ -158,20 +171,41 @@ class FrameTree:
                 raise ValueError(f"frame {each!r}: {self._refused[each]}")
         *children, top = names
         is_ring = top != reference and top in self.children()
-        if is_ring or reference not in (None, top):
-            return None
+        if is_ring:
+            raise PoseMissing(f"the frames above {frame!r} form a ring: {', '.join(names)}")
+        if reference not in (None, top) or not children and reference is None:
+            raise PoseMissing(self._not_placed(frame, reference))
         if reference is None and not any(each in self._moving for each in children):
-            return None
+            raise PoseMissing(f"{frame!r} is fixed in {top!r}, and nothing says how {top!r} moves; "
+                              f"there are {self._quoted_names()}")
         matrix = np.eye(4)
         for each in children:
-            step = self._step(each, time_ns)
-            if step is None:
-                return None
-            matrix = step @ matrix
+            matrix = self._step(each, time_ns) @ matrix
         return matrix
 
-    def _step(self, child: str, time_ns: int) -> Matrix | None:
-        """T_parent_child."""
-        if child in self._moving:
-            return self._moving[child][1].at(time_ns)
-        return self._fixed[child][1]
+    def _not_placed(self, frame: str, reference: str | None) -> str:
+        others = sorted(each for each in self.children() if frame in self.above(each))
+        if reference is None and others:
+            return (f"the cloud is in {frame!r}, in which TF or odometry places "
+                    f"{', '.join(map(repr, others))}: that of a map, not of the sensor; name the "
+                    "sensor's odometry with odometry= to have it told from the sensor")
+        name = repr(frame) if frame else "'' (its header names none)"
+        where = "in any other" if reference is None else f"in {reference!r}"
+        return (f"neither TF nor odometry says where the cloud's frame {name} is {where}; there "
+                f"are {self._quoted_names()}; record the transform to it, too (/tf_static)")
+
+    def _quoted_names(self) -> str:
+        return ", ".join(map(repr, self.names())) or "none"
+
+    def _step(self, child: str, time_ns: int) -> Matrix:
+        """T_parent_child. Raises PoseMissing outside of the times that are known."""
+        if child not in self._moving:
+            return self._fixed[child][1]
+        parent, track = self._moving[child]
+        matrix = track.at(time_ns)
+        if matrix is None:
+            first, last = track.times_ns()[0], track.times_ns()[-1]
+            raise PoseMissing(f"its time is {'before' if time_ns < first else 'behind'} the poses "
+                              f"of {child!r} in {parent!r}, which are from {first * 1e-9:.3f} to "
+                              f"{last * 1e-9:.3f} s")
+        return matrix

@@ -14,6 +14,25 @@ from .poses import pose_file
 from .scan import Scan, points_of
 
 
+def decoder_config(decoder: Any, model: str | None, calibration: Path | None) -> Any:
+    """velodyne-decoder's. Raises ValueError and FileNotFoundError for what it does not know."""
+    config = decoder.Config()
+    if model is not None:
+        models = decoder.Model.__members__
+        if model not in models:
+            raise ValueError(f"model: expected one of {', '.join(models)}, got {model!r}")
+        config.model = models[model]
+    if calibration is not None:
+        if not calibration.is_file():
+            raise FileNotFoundError(f"{calibration}: expected a calibration, got nothing of that "
+                                    "name")
+        try:
+            config.calibration = decoder.Calibration.read(str(calibration))
+        except (ValueError, KeyError, TypeError, RuntimeError) as error:
+            raise ValueError(f"{calibration}: {error}") from error
+    return config
+
+
 class VelodyneDataset:
     """The turns of a .pcap file, one after the other.
 
@@ -46,21 +65,7 @@ class VelodyneDataset:
 
     def _config(self) -> Any:
         """A new one each time, since decoding writes into it."""
-        config = self._decoder.Config()
-        if self._model is not None:
-            models = self._decoder.Model.__members__
-            if self._model not in models:
-                raise ValueError(f"model: expected one of {', '.join(models)}, got {self._model!r}")
-            config.model = models[self._model]
-        if self._calibration is not None:
-            if not self._calibration.is_file():
-                raise FileNotFoundError(f"{self._calibration}: expected a calibration, got nothing "
-                                        "of that name")
-            try:
-                config.calibration = self._decoder.Calibration.read(str(self._calibration))
-            except (ValueError, KeyError, TypeError, RuntimeError) as error:
-                raise ValueError(f"{self._calibration}: {error}") from error
-        return config
+        return decoder_config(self._decoder, self._model, self._calibration)
 
     def __iter__(self) -> Iterator[Scan]:
         dpkt = require("dpkt", "velodyne", "reading a Velodyne capture")

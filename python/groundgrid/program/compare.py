@@ -112,7 +112,7 @@ def compare(options: argparse.Namespace) -> None:
     names = chosen(options.methods)
     scores: dict[str, Score] = {}
     missing: list[str] = []
-    for number, scan in enumerate(scans_of(open_input(options), options)):
+    for number, scan in enumerate(scans_of(open_input(options), options, config)):
         with silenced():
             if number == 0:
                 scores, missing = made(names, scan, config, options)

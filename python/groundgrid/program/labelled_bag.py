@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 import shutil
 import sys
@@ -18,6 +17,7 @@ import numpy.typing as npt
 from .._core import ScanResult
 from ..datasets import BagDataset, Scan
 from ..datasets.bags import Recording
+from ..datasets.cloud_messages import CLOUD, CLOUD_FIELD
 from ..datasets.extras import require
 from ..datasets.pointcloud2 import TYPES
 from ..evaluation import to_semantic_kitti
@@ -35,7 +35,7 @@ class LabelledBag:
         known, store = known_of(recording), recording.typestore
         self._connections = {id(each): copied(writer, each, store) for each in known}
         cloud = next(each for each in known if each.topic == topic)
-        self._labelled = copied(writer, cloud, store, topic + SUFFIX)
+        self._labelled = labelled_connection(writer, cloud, store, topic + SUFFIX)
         self._messages = recording.messages(known)
 
     def add(self, scan: Scan, result: ScanResult) -> None:
@@ -57,15 +57,15 @@ class LabelledBag:
                   if name not in ("label", "height_above_ground")}
         fields["label"] = to_semantic_kitti(result.labels)
         fields["height_above_ground"] = result.height_above_ground
-        store, name = self._recording.typestore, message.__msgtype__
+        store = self._recording.typestore
         labelled = with_fields(message, records_of(fields), store)
         is_ros1 = not self._recording.is2
-        return (store.serialize_ros1 if is_ros1 else store.serialize_cdr)(labelled, name)
+        return (store.serialize_ros1 if is_ros1 else store.serialize_cdr)(labelled, CLOUD)
 
 
 def with_fields(message: Any, records: npt.NDArray[Any], store: Any) -> Any:
-    """The cloud with these records in place of its own."""
-    kind = store.types["sensor_msgs/msg/PointField"]
+    """The cloud with these records in place of its own; a PointCloud2 in place of another type."""
+    kind = store.types[CLOUD_FIELD]
     assert records.dtype.fields is not None and records.dtype.names is not None
     fields = []
     for name in records.dtype.names:
@@ -73,9 +73,12 @@ def with_fields(message: Any, records: npt.NDArray[Any], store: Any) -> Any:
         count = int(np.prod(each.shape, dtype=int))
         fields.append(kind(name, int(offset), DATATYPES[each.base], count))
     step = records.dtype.itemsize
-    return dataclasses.replace(
-        message, fields=fields, is_bigendian=False, point_step=step, row_step=step * message.width,
-        data=records.view(np.uint8).reshape(-1),
+    is_cloud = message.__msgtype__ == CLOUD
+    height, width = (message.height, message.width) if is_cloud else (1, len(records))
+    return store.types[CLOUD](
+        header=message.header, height=height, width=width, fields=fields, is_bigendian=False,
+        point_step=step, row_step=step * width, data=records.view(np.uint8).reshape(-1),
+        is_dense=is_cloud and message.is_dense,
     )
 
 
@@ -106,6 +109,17 @@ def copied(writer: Any, connection: Any, store: Any, topic: str | None = None) -
                                  rihs01=connection.digest or None,
                                  serialization_format=connection.ext.serialization_format,
                                  offered_qos_profiles=connection.ext.offered_qos_profiles)
+
+
+def labelled_connection(writer: Any, connection: Any, store: Any, topic: str) -> Any:
+    """Of PointCloud2, which a recording of another type of clouds does not define."""
+    if connection.msgtype == CLOUD:
+        return copied(writer, connection, store, topic)
+    typesys = require("rosbags.typesys", "bags", "writing a recording")
+    ros = typesys.get_typestore(typesys.Stores.LATEST)
+    store.register({name: ros.fielddefs[name] for name in (CLOUD, CLOUD_FIELD)
+                    if name not in store.fielddefs})
+    return writer.add_connection(topic, CLOUD, typestore=store)
 
 
 @contextmanager

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import ast
 import operator
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from tqdm import tqdm
 
 from .. import datasets
 from .._core import Config, parameters
+from .map_coverage import MapCheck
 from ..datasets import Dataset, Scan
 
 # Options of loaders, by the name that the loader has for them.
@@ -37,6 +39,8 @@ def add_input(parser: argparse.ArgumentParser) -> None:
     for name, text in LOADER_OPTIONS.items():
         group.add_argument(f"--{name}", help=text, type=int if name == "sensor" else str)
     group.add_argument("--scans", type=positive, metavar="N", help="only the first N")
+    group.add_argument("--require-poses", action="store_true",
+                       help="a scan without a pose is an error [it is taken as a single scan]")
 
 
 def add_method(parser: argparse.ArgumentParser) -> None:
@@ -115,15 +119,50 @@ def value_of(text: str) -> Any:
         return text
 
 
-def scans_of(dataset: Dataset, options: argparse.Namespace) -> Iterator[Scan]:
-    """The scans, with a progress bar where somebody may look at it."""
+def scans_of(dataset: Dataset, options: argparse.Namespace, config: Config) -> Iterator[Scan]:
+    """The scans, with a progress bar where somebody may look at it, and words about odd ones."""
     total = operator.length_hint(dataset, 0)
     if options.scans is not None:
         total = min(total, options.scans) if total else options.scans
     bar = tqdm(total=total or None, unit="scan", leave=False, disable=None)
+    poses, places = PoseCheck(options), MapCheck(options.input, config, warn)
     with bar:
         for number, scan in enumerate(dataset):
             if options.scans is not None and number >= options.scans:
                 return
+            poses.add(number, scan)
+            places.add(scan)
             yield scan
             bar.update()
+
+
+def warn(words: str) -> None:
+    """On a line of its own, whatever the progress bar has written."""
+    tqdm.write(f"groundgrid-py: warning: {words}", file=sys.stderr)
+
+
+class PoseCheck:
+    """Says once for each reason why scans have no pose; raises ValueError where they must have."""
+
+    def __init__(self, options: argparse.Namespace) -> None:
+        self._input, self._required = options.input, options.require_poses
+        self._is_asked_for: bool = getattr(options, "single_scan", False)
+        if self._required and self._is_asked_for:
+            raise ValueError("--require-poses: expected without --single-scan, which uses no poses")
+        self._told: set[str | None] = set()
+
+    def add(self, number: int, scan: Scan) -> None:
+        if scan.pose is not None or self._is_asked_for:
+            return
+        reason = scan.pose_missing
+        time = "" if scan.time_s is None else f" of {scan.time_s:.3f} s"
+        words = (f"{self._input}: scan {scan.name}{time} has no pose: "
+                 f"{reason or 'the input has none'}")
+        if self._required:
+            raise ValueError(f"{words}; --poses FILE gives them")
+        # A lone scan needs none.
+        if reason in self._told or reason is None and number == 0:
+            return
+        self._told.add(reason)
+        warn(f"{words}; this scan and any other of which that is true are taken as single scans "
+             "(--poses FILE gives poses, --require-poses makes this an error)")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from collections import Counter
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -13,14 +14,14 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import __version__
-from .._core import GroundGrid, Label, ScanResult, write_labels
+from .._core import Config, GroundGrid, Label, ScanResult, write_labels
 from ..datasets import BagDataset, Dataset, FileDataset, Scan
 from ..evaluation import to_semantic_kitti
 from ..output_files import hidden_file
 from ..rasters import TerrainMosaic, checked_crs
 from .clouds import source_of, write_las, write_pcl
 from .labelled_bag import LabelledBag, labelled_bag
-from .options import Inputs, add_input, add_method, config_of, open_input, scans_of
+from .options import Inputs, add_input, add_method, config_of, open_input, scans_of, warn
 
 CLOUDS = ("pcd", "ply", "las", "laz")
 Matrix = npt.NDArray[np.float64]
@@ -64,14 +65,15 @@ def run(options: argparse.Namespace) -> None:
     record.unlink(missing_ok=True)
     with ExitStack() as stack:
         output = Output(dataset, folder, options, stack)
-        summary = segment(dataset, GroundGrid(config, threads=options.threads), output, options)
+        summary = segment(dataset, config, output, options)
     summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
     with hidden_file(record) as hidden:
         hidden.write_text(json.dumps(summary, indent=2) + "\n")
     counts, scans = summary["counts"], summary["scans"]
     shares = ", ".join(f"{name} {100 * count / max(1, sum(counts.values())):.1f} %"
                        for name, count in counts.items())
-    print(f"{options.output}: {scans} scans, {shares}, {summary['median_ms']:.1f} ms a scan")
+    alone = f" ({summary['single_scans']} of them single)" if summary["single_scans"] else ""
+    print(f"{options.output}: {scans} scans{alone}, {shares}, {summary['median_ms']:.1f} ms a scan")
 
 
 def place_of(dataset: Dataset, output: Path) -> Path:
@@ -81,13 +83,16 @@ def place_of(dataset: Dataset, output: Path) -> Path:
 
 
 def segment(
-    dataset: Dataset, grid: GroundGrid, output: Output, options: argparse.Namespace
+    dataset: Dataset, config: Config, output: Output, options: argparse.Namespace
 ) -> dict[str, Any]:
+    grid = GroundGrid(config, threads=options.threads)
     counts, times_ms = np.zeros(len(Label), np.int64), []
-    for number, scan in enumerate(scans_of(dataset, options)):
+    missing: Counter[str] = Counter()
+    for number, scan in enumerate(scans_of(dataset, options, config)):
         pose = None if options.single_scan else scan.pose
         if pose is None:
             grid.reset()
+            missing[why_alone(scan, options)] += 1
         begin = time.perf_counter()
         result = processed(grid, scan, pose, options.input)
         times_ms.append(1000 * (time.perf_counter() - begin))
@@ -96,14 +101,28 @@ def segment(
         output.add_terrain(scan.name, grid, is_placed=pose is not None)
     if not times_ms:
         raise ValueError(f"{options.input}: expected scans, got none")
+    if counts.sum() == 0:
+        warn(f"{options.input}: none of {len(times_ms)} scans has any point")
+    elif counts.sum() == counts[Label.UNKNOWN]:
+        raise ValueError(f"{options.input}: expected ground or obstacles, got no answer for any of "
+                         f"{counts.sum()} points in {len(times_ms)} scans: all are without a "
+                         "return, not finite, too near or outside of the map")
     output.finish()
     return {
         "scans": len(times_ms),
+        "single_scans": missing.total(),
+        "single_scans_because": dict(missing),
         "counts": {label.name.lower(): int(counts[label]) for label in Label},
         "median_ms": float(np.median(times_ms)),
         "sensor_height_m": result.sensor_height_m,
         "sensor_height_estimated": result.sensor_height_estimated,
     }
+
+
+def why_alone(scan: Scan, options: argparse.Namespace) -> str:
+    if options.single_scan:
+        return "--single-scan"
+    return scan.pose_missing or "the input has no pose of it"
 
 
 def processed(grid: GroundGrid, scan: Scan, pose: Matrix | None, path: Path) -> ScanResult:

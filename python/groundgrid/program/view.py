@@ -35,10 +35,11 @@ def view(options: argparse.Namespace) -> None:
     output = options.output or Path(options.input.resolve().stem + ".rrd")
     dataset = open_input(options)
     Inputs(dataset, options.input).keep(output)
-    grid = GroundGrid(config_of(options), threads=options.threads)
+    config = config_of(options)
+    grid = GroundGrid(config, threads=options.threads)
     count = 0
     with Recording(output, terrain_every=options.terrain_every) as recording:
-        for scan in scans_of(dataset, options):
+        for scan in scans_of(dataset, options, config):
             if scan.pose is None:
                 grid.reset()
             begin = time.perf_counter()
