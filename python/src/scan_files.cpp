@@ -29,7 +29,7 @@ std::optional<io::ScanFormat> format_named(const std::optional<std::string>& nam
   const auto format = io::scan_format_named(*name);
   if (!format)
     throw nb::value_error(
-        ("format: expected 'kitti', 'nuscenes', 'pcd' or 'ply', got '" + *name + "'").c_str());
+        ("format: expected " + std::string(io::kFormatNames) + ", got '" + *name + "'").c_str());
   return format;
 }
 
@@ -44,7 +44,7 @@ nb::tuple read_records(const io::ScanFile& scan) {
   io::PointCloud cloud;
   {
     const nb::gil_scoped_release no_gil;
-    io::read_scan(scan.path, scan.format, cloud);
+    io::read_scan(scan, cloud);
   }
   nb::list fields;
   for (const io::PointField& field : cloud.fields)

@@ -28,15 +28,16 @@ const NamedFormat* format_of(const std::string& file_name) {
 
 }  // namespace
 
-std::string_view name_of(ScanFormat format) {
+std::string name_of(const ScanFormat& format) {
   for (const NamedFormat& known : kFormats)
-    if (known.format == format) return known.name;
-  return "";
+    if (known.format == format) return std::string(known.name);
+  return format.layout.name();
 }
 
 std::optional<ScanFormat> scan_format_named(std::string_view name) {
   for (const NamedFormat& known : kFormats)
     if (known.name == name) return known.format;
+  if (const auto layout = BinLayout::named(name)) return ScanFormat{ScanFormat::Kind::bin, *layout};
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <system_error>
 
+#include "io/bin_scan.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
@@ -225,6 +226,27 @@ void require_existing(const fs::path& input) {
 
 std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const std::string> names,
                                          std::optional<ScanFormat> format) {
+// Files of one ending are of one layout: that of the first whose numbers tell.
+void guess_layouts(std::vector<ScanFile>& scans) {
+  std::vector<std::pair<BinLayout, BinLayout>> found;  // The usual layout, and that of these files.
+  for (ScanFile& scan : scans) {
+    if (scan.format.kind != ScanFormat::Kind::bin) continue;
+    scan.layout_is_guessed = true;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const auto& layouts) {
+      return layouts.first == scan.format.layout;
+    });
+    if (known) continue;
+    if (const auto layout = guess_layout(scan.path, scan.format.layout))
+      found.emplace_back(scan.format.layout, *layout);
+  }
+  for (ScanFile& scan : scans)
+    for (const auto& [usual, layout] : found)
+      if (scan.layout_is_guessed && scan.format.layout == usual) {
+        scan.format.layout = layout;
+        break;
+      }
+}
+
   require_existing(input);
   const auto folders = is_folder(input) ? sequence_folders(input) : std::vector<fs::path>{};
   if (folders.empty() && !names.empty())
@@ -232,7 +254,6 @@ std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const 
                  .expected = "a dataset with sequences/NN/velodyne",
                  .got = "a place without",
                  .remedy = "leave out --sequence for plain scans"});
-  if (folders.empty()) return {plain_sequence(input, format)};
   std::vector<ScanSequence> sequences;
   for (const fs::path& folder : names.empty() ? folders : folders_named(folders, names, input))
     sequences.push_back(dataset_sequence(folder, format));
@@ -240,3 +261,6 @@ std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const 
 }
 
 }  // namespace groundgrid::io
+  if (folders.empty()) sequences.push_back(plain_sequence(input, format));
+  if (!format)
+    for (ScanSequence& sequence : sequences) guess_layouts(sequence.scans);

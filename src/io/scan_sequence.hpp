@@ -18,8 +18,10 @@ struct ScanFile {
   /// that of every scan is one, else `index`.
   std::size_t number = 0;
   std::filesystem::path path;
-  ScanFormat format = ScanFormat::kitti;
+  ScanFormat format{};
   std::size_t index = 0;  ///< Its place in the sequence, from 0.
+  /// The layout of a .bin file was found by its numbers, or those of a scan before it: nobody said.
+  bool layout_is_guessed = false;
 };
 
 /// Scans that belong together, in the order in which they were taken: that of their numbers, else
@@ -49,11 +51,12 @@ struct ScanSequence {
 ///    is always a list: `format` is then that of the scans in it.
 /// With `names`, only those sequences, in that order ("0" finds "00"). The format of each scan is
 /// that of its name; with `format` it is that one, for every file with the ending of any format and
-/// for one that is given by its name, whatever its ending. An entry of a folder counts by its name
-/// alone: reading it says where it is no file. Throws Error where there is nothing, a folder cannot
-/// be read, a sequence of that name is missing, `input` itself or a path in a list is that of no
-/// regular file, a scan of a dataset has no number, or two scans have the same name or, in a
-/// dataset, number.
+/// for one that is given by its name, whatever its ending. Without it, the first .bin file whose
+/// numbers tell their layout (likely_layouts()) says that of all files of its ending. An entry of a
+/// folder counts by its name alone: reading it says where it is no file. Throws Error where there
+/// is nothing, a folder cannot be read, a sequence of that name is missing, `input` itself or a
+/// path in a list is that of no regular file, a scan of a dataset has no number, or two scans have
+/// the same name or, in a dataset, number.
 std::vector<ScanSequence> find_sequences(const std::filesystem::path& input,
                                          std::span<const std::string> names = {},
                                          std::optional<ScanFormat> format = {});

@@ -1,9 +1,13 @@
 #include "program/input_options.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include <CLI/Validators.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "io/error.hpp"
 #include "io/path_checks.hpp"
@@ -18,6 +22,22 @@ namespace fs = std::filesystem;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
+// As CLI11 asks for it: empty if there is none.
+std::string format_problem(const std::string& name) {
+  return io::scan_format_named(name) ? ""
+                                     : fmt::format("expected {}, got {}", io::kFormatNames, name);
+}
+
+// A layout that is not what the ending of the name promises is not used without a word.
+void say_guessed_layouts(const io::ScanSequence& sequence) {
+  std::set<std::string> said;
+  for (const io::ScanFile& scan : sequence.scans)
+    if (scan.layout_is_guessed && scan.format != io::format_by_name(scan.path) &&
+        said.insert(io::name_of(scan.format)).second)
+      spdlog::info("{}: read as {} ({}), as its numbers tell; --format says otherwise",
+                   scan.path.string(), io::name_of(scan.format), scan.format.layout.words());
+}
+
 }  // namespace
 
 void InputOptions::add_to(CLI::App& command, const std::string& name,
@@ -26,8 +46,8 @@ void InputOptions::add_to(CLI::App& command, const std::string& name,
   command.add_option("--sequence", sequences_, "Only these sequences of a dataset");
   command
       .add_option("--format", format_,
-                  "Take every scan as kitti, nuscenes, pcd or ply, whatever its name says")
-      ->check(CLI::IsMember({"kitti", "nuscenes", "pcd", "ply"}));
+                  fmt::format("Take every scan as {}, whatever its name says", io::kFormatNames))
+      ->check(CLI::Validator(format_problem, "FORMAT"));
   CLI::Option* const poses =
       command.add_option("--poses", poses_,
                          "Poses of the LiDAR, KITTI (12 numbers a line) or TUM (time, position, "
@@ -62,6 +82,7 @@ std::vector<io::ScanSequence> InputOptions::find_sequences() const {
     throw UsageError("--poses is for one sequence; choose it with --sequence");
   return sequences;
 }
+  for (const io::ScanSequence& sequence : sequences) say_guessed_layouts(sequence);
 
 std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& sequence,
                                                       bool single_scan) const {

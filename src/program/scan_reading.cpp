@@ -34,7 +34,7 @@ void copy_coordinates(const PointView& points, std::vector<float>& coordinates) 
 
 void read_into_slot(const io::ScanFile& scan, const Eigen::Matrix3d& R_level_lidar,
                     ScanSlot& slot) {
-  io::read_scan(scan.path, scan.format, slot.cloud);
+  io::read_scan(scan, slot.cloud);
   if (slot.cloud.size() == 0)
     throw io::Error(
         {.file = scan.path, .expected = "a scan", .got = "a file that holds no points"});

@@ -105,6 +105,13 @@ std::string_view name_of(io::CloudEncoding encoding) {
 
 Json or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
+std::string format_text(const io::ScanFormat& format) {
+  const std::string name = io::name_of(format);
+  return format.kind == io::ScanFormat::Kind::bin
+             ? fmt::format("{} ({})", name, format.layout.words())
+             : name;
+}
+
 std::string field_text(const FieldSummary& summary) {
   const std::string numbers =
       summary.field.count > 1 ? fmt::format("[{}]", summary.field.count) : "";
@@ -165,7 +172,7 @@ std::string to_text(const ScanSummary& s) {
   const std::string shape =
       s.height > 1 ? fmt::format(", organised {} x {}", s.width, s.height) : "";
   std::string text = fmt::format("  {}: {}, {}, {} points{}\n", s.file.path.string(),
-                                 io::name_of(s.file.format), name_of(s.encoding), s.points, shape);
+                                 format_text(s.file.format), name_of(s.encoding), s.points, shape);
   for (const FieldSummary& field : s.fields) text += field_text(field);
   if (s.not_finite > 0) text += fmt::format("    {} points are NaN or infinite\n", s.not_finite);
   if (s.at_origin > 0)
