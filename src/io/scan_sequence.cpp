@@ -86,8 +86,21 @@ void number_places(std::vector<ScanFile>& scans) {
   for (std::size_t i = 0; i < scans.size(); ++i) scans[i].index = i;
 }
 
+// Where a sequence has its scans; KITTI's raw data and KITTI-360 have them in the second place.
+fs::path scan_folder(const fs::path& sequence) {
+  const fs::path raw = sequence / "velodyne_points" / "data";
+  return is_folder(raw) ? raw : sequence / "velodyne";
+}
+
+// The dataset of a sequence in data_3d_raw; empty elsewhere.
+fs::path kitti_360_of(const fs::path& sequence) {
+  const fs::path parent = fs::absolute(sequence / "..").lexically_normal().parent_path();
+  return parent.filename() == "data_3d_raw" ? parent.parent_path() : fs::path{};
+}
+
 ScanSequence dataset_sequence(const fs::path& folder, ForcedFormat forced) {
-  ScanSequence sequence{folder_name(folder), folder, scans_in(folder / "velodyne", forced)};
+  ScanSequence sequence{folder_name(folder), folder, scans_in(scan_folder(folder), forced),
+                        kitti_360_of(folder)};
   for (ScanFile& scan : sequence.scans) {
     const auto number = parse_whole_number(scan.name);
     if (!number)
@@ -121,13 +134,15 @@ void require_readable(const fs::path& folder) {
 }
 
 std::vector<fs::path> sequence_folders(const fs::path& input) {
-  if (is_folder(input / "velodyne")) return {input};
-  const fs::path parent = is_folder(input / "sequences") ? input / "sequences" : input;
+  if (is_folder(scan_folder(input))) return {input};
+  const fs::path parent = is_folder(input / "sequences")     ? input / "sequences"
+                          : is_folder(input / "data_3d_raw") ? input / "data_3d_raw"
+                                                             : input;
   const bool all_are_sequences = folder_name(parent) == "sequences";
   std::vector<fs::path> folders;
   for (const fs::path& path : entries_of(parent)) {
     if (all_are_sequences) require_readable(path / "velodyne");
-    if (is_folder(path / "velodyne")) folders.push_back(path);
+    if (is_folder(scan_folder(path))) folders.push_back(path);
   }
   return folders;
 }
@@ -211,21 +226,6 @@ ScanSequence plain_sequence(const fs::path& input, ForcedFormat forced) {
   return sequence;
 }
 
-void require_existing(const fs::path& input) {
-  std::error_code error;
-  const fs::file_status status = fs::status(input, error);
-  if (fs::exists(status)) return;
-  throw Error(
-      {.file = input,
-       .expected = "a dataset, a folder of scans, a scan or a list of scans",
-       .got = status.type() == fs::file_type::not_found ? "nothing of that name" : error.message(),
-       .remedy = "check the path and, where it is a link, whereto it leads"});
-}
-
-}  // namespace
-
-std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const std::string> names,
-                                         std::optional<ScanFormat> format) {
 // Files of one ending are of one layout: that of the first whose numbers tell.
 void guess_layouts(std::vector<ScanFile>& scans) {
   std::vector<std::pair<BinLayout, BinLayout>> found;  // The usual layout, and that of these files.
@@ -247,6 +247,21 @@ void guess_layouts(std::vector<ScanFile>& scans) {
       }
 }
 
+void require_existing(const fs::path& input) {
+  std::error_code error;
+  const fs::file_status status = fs::status(input, error);
+  if (fs::exists(status)) return;
+  throw Error(
+      {.file = input,
+       .expected = "a dataset, a folder of scans, a scan or a list of scans",
+       .got = status.type() == fs::file_type::not_found ? "nothing of that name" : error.message(),
+       .remedy = "check the path and, where it is a link, whereto it leads"});
+}
+
+}  // namespace
+
+std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const std::string> names,
+                                         std::optional<ScanFormat> format) {
   require_existing(input);
   const auto folders = is_folder(input) ? sequence_folders(input) : std::vector<fs::path>{};
   if (folders.empty() && !names.empty())
@@ -255,12 +270,12 @@ void guess_layouts(std::vector<ScanFile>& scans) {
                  .got = "a place without",
                  .remedy = "leave out --sequence for plain scans"});
   std::vector<ScanSequence> sequences;
+  if (folders.empty()) sequences.push_back(plain_sequence(input, format));
   for (const fs::path& folder : names.empty() ? folders : folders_named(folders, names, input))
     sequences.push_back(dataset_sequence(folder, format));
+  if (!format)
+    for (ScanSequence& sequence : sequences) guess_layouts(sequence.scans);
   return sequences;
 }
 
 }  // namespace groundgrid::io
-  if (folders.empty()) sequences.push_back(plain_sequence(input, format));
-  if (!format)
-    for (ScanSequence& sequence : sequences) guess_layouts(sequence.scans);

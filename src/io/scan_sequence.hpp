@@ -28,14 +28,22 @@ struct ScanFile {
 /// of their names, and in a list that of its lines.
 struct ScanSequence {
   std::string name;               ///< "00"; empty for plain scans outside a dataset.
-  std::filesystem::path folder;   ///< The one that holds velodyne, the plain scans or the list.
+  std::filesystem::path folder;   ///< The one that holds velodyne (or velodyne_points), the plain
+                                  ///< scans or the list.
   std::vector<ScanFile> scans{};  ///< Never empty.
+  std::filesystem::path kitti_360{};  ///< The folder of a KITTI-360 dataset; empty for others.
 
   /// Files, a folder or a list of files without the layout of a dataset, hence without poses and
   /// labels of their own.
   [[nodiscard]] bool plain() const { return name.empty(); }
-  [[nodiscard]] std::filesystem::path poses() const { return folder / "poses.txt"; }
-  [[nodiscard]] std::filesystem::path calibration() const { return folder / "calib.txt"; }
+  [[nodiscard]] bool is_kitti_360() const { return !kitti_360.empty(); }
+  [[nodiscard]] std::filesystem::path poses() const {
+    return (is_kitti_360() ? kitti_360 / "data_poses" / name : folder) / "poses.txt";
+  }
+  /// A folder in KITTI-360.
+  [[nodiscard]] std::filesystem::path calibration() const {
+    return is_kitti_360() ? kitti_360 / "calibration" : folder / "calib.txt";
+  }
   [[nodiscard]] std::filesystem::path times() const { return folder / "times.txt"; }
   [[nodiscard]] std::filesystem::path labels() const { return folder / "labels"; }
   /// Of simulated drives only.
@@ -45,6 +53,8 @@ struct ScanSequence {
 /// Finds the scans below `input`, which may be
 ///  - a dataset in KITTI odometry or SemanticKITTI layout (sequences/NN/velodyne/NNNNNN.bin, or
 ///    scans of another format there), its folder `sequences`, or one sequence's folder;
+///  - a dataset in the layout of KITTI-360 (data_3d_raw/NAME/velodyne_points/data/NNNNNNNNNN.bin,
+///    poses in data_poses/NAME/poses.txt), one sequence's folder of it, or KITTI's raw data;
 ///  - a folder of scans, or one scan;
 ///  - a list: a text file (.txt or .lst) with the path of one scan a line, relative to the folder
 ///    of the list. Blank lines and those that begin with '#' do not count. A file of that ending

@@ -50,12 +50,14 @@ void InputOptions::add_to(CLI::App& command, const std::string& name,
       ->check(CLI::Validator(format_problem, "FORMAT"));
   CLI::Option* const poses =
       command.add_option("--poses", poses_,
-                         "Poses of the LiDAR, KITTI (12 numbers a line) or TUM (time, position, "
-                         "quaternion), z up, instead of the sequence's poses.txt");
+                         "Poses of the LiDAR, in the form of KITTI (12 or 16 numbers a line), "
+                         "KITTI-360 (the scan's number first), TUM (time, position, quaternion) or "
+                         "ASL (CSV), z up, instead of the sequence's poses.txt");
   CLI::Option* const calibration =
       command
           .add_option("--calibration", calibration_,
-                      "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses")
+                      "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses, or "
+                      "KITTI-360's folder calibration")
           ->needs(poses);
   CLI::Option* const mounting =
       command
@@ -80,9 +82,9 @@ std::vector<io::ScanSequence> InputOptions::find_sequences() const {
       format_.empty() ? std::optional<io::ScanFormat>{} : io::scan_format_named(format_));
   if (!poses_.empty() && sequences.size() > 1)
     throw UsageError("--poses is for one sequence; choose it with --sequence");
+  for (const io::ScanSequence& sequence : sequences) say_guessed_layouts(sequence);
   return sequences;
 }
-  for (const io::ScanSequence& sequence : sequences) say_guessed_layouts(sequence);
 
 std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& sequence,
                                                       bool single_scan) const {
@@ -100,14 +102,18 @@ std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& se
                      .expected = "the poses of the sequence",
                      .got = "nothing of that name",
                      .remedy = "use --single-scan to do without poses, or --poses for others"});
-  return io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+  if (sequence.is_kitti_360() && !io::is_there(sequence.calibration()))
+    spdlog::warn("{}: nothing of that name, so the poses are taken for the LiDAR's own",
+                 sequence.calibration().string());
+  return io::ScanPoses::of_dataset(sequence);
 }
 
 std::optional<io::ScanPoses> InputOptions::read_every_pose(const io::ScanSequence& sequence,
                                                            bool single_scan) const {
   std::optional<io::ScanPoses> poses = read_poses(sequence, single_scan);
   if (!poses) return poses;
-  for (const io::ScanFile& scan : sequence.scans) (void)poses->pose(scan);
+  for (const io::ScanFile& scan : sequence.scans)
+    if (!poses->leaves_out(scan)) (void)poses->pose(scan);
   return poses;
 }
 

@@ -93,7 +93,7 @@ void MethodRunner::read(const io::ScanFile& scan, ScanSlot& slot) const {
 }
 
 Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
-  if (!poses_) return T_map_poses_;
+  if (!poses_ || is_lone(scan)) return frames_.T_map_level;
   Eigen::Isometry3d T_lidar_level = Eigen::Isometry3d::Identity();
   T_lidar_level.linear() = frames_.R_level_lidar.transpose();
   Eigen::Isometry3d T_map_base = T_map_poses_ * poses_->pose(scan) * T_lidar_level;
@@ -104,13 +104,14 @@ Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
 void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   if (slot.problem) std::rethrow_exception(std::exchange(slot.problem, nullptr));
   const Eigen::Isometry3d T_map_base = pose(scan);
-  if (!poses_) grid_.reset();
+  GroundGrid& grid = grid_for(scan);
+  if (!poses_ || is_lone(scan)) grid.reset();
   const auto begin = std::chrono::steady_clock::now();
   const SensorScan sensor_scan{.points = slot.points};
-  const ScanResult result = process_scan(grid_, sensor_scan, T_map_base, scan);
+  const ScanResult result = process_scan(grid, sensor_scan, T_map_base, scan);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
 
-  if (layers_)
+  if (layers_ && !is_lone(scan))
     layers_->update(grid_.terrain(), std::span(&sensor_scan, 1), T_map_base, result.labels,
                     limits_);
   notes_.add(result);
@@ -126,3 +127,4 @@ void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
 }
 
 }  // namespace groundgrid::program
+  if (is_lone(scan)) ++notes_.without_pose;

@@ -59,6 +59,7 @@ class FileDataset:
     def __getitem__(self, index: int) -> Scan:
         file = self._sequence.scans[index]
         records, layout = read_records(file)
+        pose = None if self._poses is None else self._poses[index]
         dtype = np.dtype(
             {
                 "names": [name for name, _, _, _ in layout],
@@ -72,7 +73,7 @@ class FileDataset:
         return Scan(
             name=file.name,
             points=points_of(fields, len(table)),
-            pose=None if self._poses is None else self._poses[index],
+            pose=None if pose is None or np.isnan(pose).any() else pose,
             labels=read_labels(self._sequence, file, len(table)),
             fields=fields,
         )
