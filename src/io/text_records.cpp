@@ -111,7 +111,7 @@ void TextRecords::skip(std::size_t records) {
                    .remedy = "the file is cut short; fetch it again"});
 }
 
-void TextRecords::read(PointCloud& cloud) {
+void TextRecords::read(PointCloud& cloud, std::span<const std::size_t> lists) {
   // A number takes two letters at least, with the blank or line end after it.
   const std::size_t most = (rest_.size() + 1) / 2 / numbers_per_record(cloud);
   if (cloud.size() > most)
@@ -129,13 +129,33 @@ void TextRecords::read(PointCloud& cloud) {
                    .expected = fmt::format("{} points, as the header promises", cloud.size()),
                    .got = fmt::format("the end of the file after {}", point),
                    .remedy = "the file is cut short; fetch it again"});
-    read_record(line, cloud, cloud.data.data() + point * cloud.stride_bytes);
+    read_record(line, cloud, lists, cloud.data.data() + point * cloud.stride_bytes);
   }
 }
 
+void TextRecords::skip_list(std::string_view& line) const {
+  const auto fail = [&](std::string_view word) {
+    throw Error({.file = file_.path(),
+                 .line = line_,
+                 .expected = "the count of a list and so many numbers",
+                 .got = word.empty() ? "the end of the line" : in_quotes(word)});
+  };
+  const std::string_view word = take_word(line);
+  double count = 0.0;
+  // No list has more numbers than its line has letters; NaN is no count either.
+  if (!parse(word, count) || !(count >= 0.0 && count <= static_cast<double>(line.size())))
+    fail(word);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    if (take_word(line).empty()) fail("");
+}
+
 void TextRecords::read_record(std::string_view line, const PointCloud& cloud,
-                              std::byte* record) const {
-  for (const PointField& field : cloud.fields)
+                              std::span<const std::size_t> lists, std::byte* record) const {
+  const auto skip_lists_before = [&](std::size_t index) {
+    for (; !lists.empty() && lists.front() == index; lists = lists.subspan(1)) skip_list(line);
+  };
+  for (const PointField& field : cloud.fields) {
+    skip_lists_before(static_cast<std::size_t>(&field - cloud.fields.data()));
     for (std::size_t i = 0; i < field.count; ++i) {
       const std::string_view word = take_word(line);
       if (parse_to(field.type, word, record + field.offset + i * size_of(field.type))) continue;
@@ -145,6 +165,8 @@ void TextRecords::read_record(std::string_view line, const PointCloud& cloud,
            .expected = fmt::format("a {} for {}", name_of(field.type), in_quotes(field.name)),
            .got = word.empty() ? "the end of the line" : in_quotes(word)});
     }
+  }
+  skip_lists_before(cloud.fields.size());
   const std::string_view surplus = take_word(line);
   if (!surplus.empty())
     throw Error({.file = file_.path(),

@@ -11,6 +11,7 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "io/error.hpp"
@@ -101,6 +102,19 @@ Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
   return T_map_base;
 }
 
+GroundGrid& MethodRunner::grid_for(const io::ScanFile& scan) {
+  if (!is_lone(scan)) return grid_;
+  if (!lone_grid_) lone_grid_.emplace(make_grid(grid_.config()));
+  return *lone_grid_;
+}
+
+void MethodRunner::warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud) {
+  const std::string remark = has_warned_of_viewpoint_ ? "" : viewpoint_remark(cloud);
+  if (remark.empty()) return;
+  spdlog::warn("{}: {}", scan.path.string(), remark);
+  has_warned_of_viewpoint_ = true;
+}
+
 void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   if (slot.problem) std::rethrow_exception(std::exchange(slot.problem, nullptr));
   const Eigen::Isometry3d T_map_base = pose(scan);
@@ -115,7 +129,9 @@ void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
     layers_->update(grid_.terrain(), std::span(&sensor_scan, 1), T_map_base, result.labels,
                     limits_);
   notes_.add(result);
+  if (is_lone(scan)) ++notes_.without_pose;
   warn_about(scan, result, grid_.config());
+  warn_of_viewpoint(scan, slot.cloud);
   slot.milliseconds = time.count();
   slot.counts = counts_of(result);
   slot.labels.resize(result.labels.size());
@@ -127,4 +143,3 @@ void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
 }
 
 }  // namespace groundgrid::program
-  if (is_lone(scan)) ++notes_.without_pose;

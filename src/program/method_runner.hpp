@@ -61,6 +61,9 @@ class MethodRunner {
 
  private:
   [[nodiscard]] Eigen::Isometry3d pose(const io::ScanFile& scan) const;
+  GroundGrid& grid_for(const io::ScanFile& scan);
+  /// Once, since all scans of a sensor have the same one or each has another.
+  void warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud);
 
   GroundGrid grid_;
   std::optional<GroundGrid> lone_grid_{};  ///< Of scans without a pose, once there is one.
@@ -71,6 +74,7 @@ class MethodRunner {
   TraversabilityLimits limits_;
   std::optional<TerrainLayers> layers_;
   bool keeps_heights_ = false;
+  bool has_warned_of_viewpoint_ = false;
 };
 
 }  // namespace groundgrid::program

@@ -135,6 +135,7 @@ ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot) {
                       .surplus_bytes = cloud.surplus_bytes};
   for (const io::PointField& field : cloud.fields)
     summary.fields.push_back(field_summary(cloud, field));
+  summary.viewpoint_remark = viewpoint_remark(cloud);
   std::vector<float> xyz;
   copy_coordinates(slot.points, xyz);
   add_geometry(summary, xyz);
@@ -153,6 +154,7 @@ std::vector<std::string> ScanSummary::remarks() const {
     remarks.push_back(fmt::format(
         "{} bytes after the last point are left out: does the header promise too few points?",
         surplus_bytes));
+  if (!viewpoint_remark.empty()) remarks.push_back(viewpoint_remark + ".");
   if (looks_flipped)
     remarks.emplace_back(
         "z looks flipped: the ground is above the LiDAR. Is it mounted upside down? Then "
