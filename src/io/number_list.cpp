@@ -66,6 +66,18 @@ std::vector<std::string_view> split_words(std::string_view line) {
   return words;
 }
 
+std::vector<std::string_view> split_columns(std::string_view line) {
+  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
+  if (line.find(separator) == std::string_view::npos) return split_words(line);
+  std::vector<std::string_view> columns;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    columns.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return columns;
+}
+
 std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows) {
   using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   constexpr std::array kLastRow{0.0, 0.0, 0.0, 1.0};

@@ -28,6 +28,10 @@ std::optional<std::size_t> parse_whole_number(std::string_view text);
 /// The words of a line of text, which are separated by blanks.
 std::vector<std::string_view> split_words(std::string_view line);
 
+/// The columns of a line: what is between semicolons or, if there are none, commas, without the
+/// blanks around it; else the words.
+std::vector<std::string_view> split_columns(std::string_view line);
+
 /// Twelve numbers, row by row [R | t], or sixteen, with 0 0 0 1 as the last row, as a rigid
 /// transform; nothing for other counts. Text holds few digits, so a rotation
 /// that is off by up to 1e-3 in R·Rᵀ is made exact; nothing where it is off by more, is a mirror

@@ -38,18 +38,6 @@ std::vector<Line> lines_of(std::string_view text) {
   return lines;
 }
 
-// The columns of a line: with commas those between them, else its words.
-std::vector<std::string_view> columns_of(std::string_view line) {
-  if (line.find(',') == std::string_view::npos) return split_words(line);
-  std::vector<std::string_view> columns;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    columns.push_back(trimmed(line.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return columns;
-}
-
 bool is_comment(const Line& line) { return trimmed(line.text).starts_with('#'); }
 
 // Takes the comments out, and names of columns that stand before the first pose without a '#'.
@@ -60,7 +48,7 @@ std::string_view take_header(std::vector<Line>& lines) {
   for (; line != lines.end() && (is_comment(*line) || is_blank(line->text)); ++line)
     if (is_comment(*line)) header = line->text;
   if (line != lines.end()) {
-    const std::vector<std::string_view> columns = columns_of(line->text);
+    const std::vector<std::string_view> columns = split_columns(line->text);
     const bool has_number = std::any_of(columns.begin(), columns.end(), [](std::string_view name) {
       return parse_number(name).has_value();
     });
@@ -113,7 +101,7 @@ class TimedParser {
   // The file's own header, if any, says whether the real part of the quaternion is first.
   TimedParser(const std::filesystem::path& path, bool is_asl, std::string_view header)
       : path_(path), is_asl_(is_asl) {
-    const std::vector<std::string_view> names = columns_of(header);
+    const std::vector<std::string_view> names = split_columns(header);
     const bool w_is_last =
         names.size() >= kNumbersOfTum && words_end_in_w(names[kNumbersOfTum - 1]);
     w_is_first_ = is_asl && !w_is_last;
@@ -130,7 +118,7 @@ class TimedParser {
   static bool words_end_in_w(std::string_view name) { return take_word(name).ends_with('w'); }
 
   void add(const Line& line) {
-    std::vector<std::string_view> columns = columns_of(line.text);
+    std::vector<std::string_view> columns = split_columns(line.text);
     if (is_asl_ && columns.size() > kNumbersOfTum) columns.resize(kNumbersOfTum);
     std::vector<double> numbers;
     for (const std::string_view column : columns) {
@@ -179,7 +167,7 @@ PoseList parse_poses(const std::filesystem::path& path, std::vector<Line> lines,
                  .expected = "poses, one a line",
                  .got = "none",
                  .remedy = "use --single-scan to do without poses"});
-  const std::size_t columns = columns_of(first->text).size();
+  const std::size_t columns = split_columns(first->text).size();
   const bool commas = first->text.find(',') != std::string_view::npos;
   if (columns == kNumbersOfTum || (commas && columns == kNumbersOfEuroc))
     return TimedParser(path, commas, header).parse(lines);

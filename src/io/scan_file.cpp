@@ -7,6 +7,7 @@
 #include "io/error.hpp"
 #include "io/pcd.hpp"
 #include "io/ply.hpp"
+#include "io/text_cloud.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -19,6 +20,8 @@ void read(const std::filesystem::path& path, const ScanFormat& format, PointClou
       return read_pcd(path, cloud);
     case ScanFormat::Kind::ply:
       return read_ply(path, cloud);
+    case ScanFormat::Kind::text:
+      return read_text_cloud(path, cloud);
   }
 }
 

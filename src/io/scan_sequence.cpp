@@ -13,6 +13,7 @@
 #include "io/number_list.hpp"
 #include "io/path_checks.hpp"
 #include "io/scan_list.hpp"
+#include "io/text_cloud.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -39,18 +40,33 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return paths;
 }
 
+using FormatBy = ForcedFormat (*)(const fs::path& path);
+
 // An entry that turns out to be no file is left to reading, which a run may pass over.
-std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
+std::vector<ScanFile> scans_by(FormatBy format_by, const std::vector<fs::path>& entries,
+                               ForcedFormat forced) {
   std::vector<ScanFile> scans;
-  for (const fs::path& path : entries_of(folder)) {
-    const ForcedFormat named = format_by_name(path);
-    if (!named) continue;
-    scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
+  for (const fs::path& path : entries)
+    if (const ForcedFormat named = format_by(path))
+      scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
+  return scans;
+}
+
+// Files .csv and .txt are often something else: scans only if there are no others, and one of them
+// looks like a cloud.
+std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
+  const std::vector<fs::path> entries = entries_of(folder);
+  std::vector<ScanFile> scans = scans_by(format_by_name, entries, forced);
+  if (scans.empty()) {
+    scans = scans_by(format_by_any_name, entries, forced);
+    if (std::none_of(scans.begin(), scans.end(),
+                     [](const ScanFile& scan) { return is_text_cloud(scan.path); }))
+      scans.clear();
   }
   if (scans.empty())
     throw Error({.file = folder,
-                 .expected = "scans (.bin, .pcd.bin, .pcd or .ply files) or a dataset "
-                             "(sequences/NN/velodyne)",
+                 .expected = fmt::format("scans (files {}) or a dataset (sequences/NN/velodyne)",
+                                         kScanEndings),
                  .got = "neither"});
   return scans;
 }
@@ -174,11 +190,11 @@ std::vector<fs::path> folders_named(const std::vector<fs::path>& folders,
 std::vector<ScanFile> listed_scans(const fs::path& list, ForcedFormat forced) {
   std::vector<ScanFile> scans;
   for (const ListedFile& file : read_scan_list(list)) {
-    const ForcedFormat format = forced ? forced : format_by_name(file.path);
+    const ForcedFormat format = forced ? forced : format_by_any_name(file.path);
     if (!format)
       throw Error({.file = list,
                    .line = file.line,
-                   .expected = "a scan (.bin, .pcd.bin, .pcd or .ply)",
+                   .expected = fmt::format("a scan ({})", kScanEndings),
                    .got = file.path.string(),
                    .remedy = "say what the scans are with --format"});
     scans.push_back({scan_stem(file.path), 0, file.path, *format});
@@ -188,11 +204,12 @@ std::vector<ScanFile> listed_scans(const fs::path& list, ForcedFormat forced) {
 
 ScanFile single_scan(const fs::path& path, ForcedFormat forced) {
   require_regular_file(path);
-  const ForcedFormat format = forced ? forced : format_by_name(path);
+  const ForcedFormat format = forced ? forced : format_by_any_name(path);
   if (!format)
     throw Error({.file = path,
-                 .expected = "a scan (.bin, .pcd.bin, .pcd or .ply), a folder of scans, a list of "
-                             "scans (.txt or .lst) or a dataset",
+                 .expected = fmt::format(
+                     "a scan ({}), a folder of scans, a list of scans (.txt or .lst) or a dataset",
+                     kScanEndings),
                  .got = "another kind of file",
                  .remedy = "if it is a scan, say of which kind with --format"});
   return {scan_stem(path), 0, path, *format};

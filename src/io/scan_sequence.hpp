@@ -22,6 +22,11 @@ struct ScanFile {
   std::size_t index = 0;  ///< Its place in the sequence, from 0.
   /// The layout of a .bin file was found by its numbers, or those of a scan before it: nobody said.
   bool layout_is_guessed = false;
+
+  /// Its numbers told another layout than the ending of its name does.
+  [[nodiscard]] bool has_unusual_layout() const {
+    return layout_is_guessed && format != format_by_name(path);
+  }
 };
 
 /// Scans that belong together, in the order in which they were taken: that of their numbers, else

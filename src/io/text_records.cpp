@@ -86,19 +86,46 @@ std::size_t numbers_per_record(const PointCloud& cloud) {
 
 }  // namespace
 
-TextRecords::TextRecords(InputFile& file) : file_(file), line_(file.lines()) {
-  file.read_into(text_, static_cast<std::size_t>(file.remaining()));
+TextRecords::TextRecords(InputFile& file, std::size_t most_bytes)
+    : file_(file), line_(file.lines()) {
+  file.read_into(text_,
+                 static_cast<std::size_t>(std::min<std::uintmax_t>(file.remaining(), most_bytes)));
   rest_ = text_;
 }
 
-std::string_view TextRecords::next_line() {
+std::string_view TextRecords::peek() {
   while (!rest_.empty()) {
     const std::string_view line = rest_.substr(0, rest_.find('\n'));
+    if (!trimmed(line).empty()) return line;
     rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
     ++line_;
-    if (!trimmed(line).empty()) return line;
   }
   return {};
+}
+
+std::string_view TextRecords::next_line() {
+  const std::string_view line = peek();
+  if (line.empty()) return line;
+  rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+  ++line_;
+  return line;
+}
+
+std::size_t TextRecords::count() const {
+  std::size_t lines = 0;
+  for (std::string_view rest = rest_; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    if (!trimmed(line).empty()) ++lines;
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return lines;
+}
+
+void TextRecords::make_blank(std::string_view letters) {
+  const auto begin = text_.end() - static_cast<std::ptrdiff_t>(rest_.size());
+  std::replace_if(
+      begin, text_.end(),
+      [&](char letter) { return letters.find(letter) != std::string_view::npos; }, ' ');
 }
 
 void TextRecords::skip(std::size_t records) {
@@ -182,7 +209,7 @@ void TextRecords::require_end() {
                  .line = line_,
                  .expected = "the end of the file after as many points as the header says",
                  .got = in_quotes(line),
-                 .remedy = "mend WIDTH, HEIGHT and POINTS in the header"});
+                 .remedy = "mend the number of points in the header"});
 }
 
 std::string text_of_records(const PointCloud& cloud) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,8 +15,19 @@ namespace groundgrid::io {
 /// count.
 class TextRecords {
  public:
-  /// Reads from the position of the file to its end.
-  explicit TextRecords(InputFile& file);
+  /// Reads from the position of the file to its end, or so many bytes of it.
+  explicit TextRecords(InputFile& file,
+                       std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
+
+  /// The next line without taking it, whose number is line() + 1; empty at the end.
+  [[nodiscard]] std::string_view peek();
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+  /// How many lines there are yet.
+  [[nodiscard]] std::size_t count() const;
+
+  /// Makes blanks of each of these letters in the lines to come.
+  void make_blank(std::string_view letters);
 
   /// Skips lines. Throws Error where there are fewer.
   void skip(std::size_t records);

@@ -32,7 +32,7 @@ std::string format_problem(const std::string& name) {
 void say_guessed_layouts(const io::ScanSequence& sequence) {
   std::set<std::string> said;
   for (const io::ScanFile& scan : sequence.scans)
-    if (scan.layout_is_guessed && scan.format != io::format_by_name(scan.path) &&
+    if (scan.has_unusual_layout() &&
         said.insert(io::name_of(scan.format)).second)
       spdlog::info("{}: read as {} ({}), as its numbers tell; --format says otherwise",
                    scan.path.string(), io::name_of(scan.format), scan.format.layout.words());

@@ -102,7 +102,7 @@ TEST_F(SegmentInput, TakesALayoutByItsLetters) {
   EXPECT_EQ(labels("a").size(), 4 * test::SyntheticScan().size());
   const ProgramRun wrong = segment_input(scan, "--format xyq");
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_TRUE(contains(wrong.words, "expected kitti, nuscenes, pcd, ply or the letters"));
+  EXPECT_TRUE(contains(wrong.words, "expected kitti, nuscenes, pcd, ply, text or the letters"));
 }
 
 TEST_F(SegmentInput, TakesItsOwnCloudsAgain) {
