@@ -116,7 +116,14 @@ void bind_scan_files(nb::module_& module) {
           nb::for_getter(nb::sig("def name(self) -> str")), "The file's name without its ending.")
       .def_prop_ro(
           "path", [](const io::ScanFile& self) { return name_of_path(self.path); },
-          nb::for_getter(nb::sig("def path(self) -> str")), "Where it is.");
+          nb::for_getter(nb::sig("def path(self) -> str")), "Where it is.")
+      .def_prop_ro(
+          "unusual_layout",
+          [](const io::ScanFile& self) {
+            return self.has_unusual_layout() ? io::name_of(self.format) : std::string();
+          },
+          nb::for_getter(nb::sig("def unusual_layout(self) -> str")),
+          "The layout that the numbers of a .bin file told, if it is not that of its ending.");
   nb::class_<io::ScanSequence>(module, "ScanSequence", "Scans on disk that belong together.")
       .def_ro("name", &io::ScanSequence::name, "Of the sequence; empty outside of a dataset.")
       .def_ro("scans", &io::ScanSequence::scans, "In the order in which they were taken.");
