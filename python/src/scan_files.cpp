@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ std::optional<io::ScanFormat> format_named(const std::optional<std::string>& nam
   const auto format = io::scan_format_named(*name);
   if (!format)
     throw nb::value_error(
-        ("format: expected 'kitti', 'nuscenes', 'pcd' or 'ply', got '" + *name + "'").c_str());
+        ("format: expected " + std::string(io::kFormatNames) + ", got '" + *name + "'").c_str());
   return format;
 }
 
@@ -44,7 +45,7 @@ nb::tuple read_records(const io::ScanFile& scan) {
   io::PointCloud cloud;
   {
     const nb::gil_scoped_release no_gil;
-    io::read_scan(scan.path, scan.format, cloud);
+    io::read_scan(scan, cloud);
   }
   nb::list fields;
   for (const io::PointField& field : cloud.fields)
@@ -63,9 +64,16 @@ std::optional<std::vector<Eigen::Isometry3d>> poses_of(const io::ScanSequence& s
   const bool has_own = !sequence.plain() && io::is_there(sequence.poses());
   if (!poses && !has_own) return std::nullopt;
   const io::ScanPoses all = poses ? io::ScanPoses::from_file(*poses, sequence, calibration)
-                                  : io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+                                  : io::ScanPoses::of_dataset(sequence);
   std::vector<Eigen::Isometry3d> found;
-  for (const io::ScanFile& scan : sequence.scans) found.push_back(all.pose(scan));
+  for (const io::ScanFile& scan : sequence.scans) {
+    if (!all.leaves_out(scan)) {
+      found.push_back(all.pose(scan));
+      continue;
+    }
+    found.emplace_back();
+    found.back().matrix().setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   return found;
 }
 
@@ -79,6 +87,11 @@ nb::object read_poses(const io::ScanSequence& sequence, nb::handle poses, nb::ha
 
 nb::tuple read_pose_file(nb::handle path) {
   io::PoseList list = io::read_pose_file(path_from(path));
+  if (!list.numbers.empty())
+    throw nb::value_error((path_from(path).string() +
+                           ": expected a pose for every scan in turn, got poses for scans by their "
+                           "numbers, which these scans have not")
+                              .c_str());
   const std::size_t count = list.times.size();
   nb::object times = nb::none();
   if (count > 0) times = to_array(std::move(list.times), {count});
@@ -103,7 +116,14 @@ void bind_scan_files(nb::module_& module) {
           nb::for_getter(nb::sig("def name(self) -> str")), "The file's name without its ending.")
       .def_prop_ro(
           "path", [](const io::ScanFile& self) { return name_of_path(self.path); },
-          nb::for_getter(nb::sig("def path(self) -> str")), "Where it is.");
+          nb::for_getter(nb::sig("def path(self) -> str")), "Where it is.")
+      .def_prop_ro(
+          "unusual_layout",
+          [](const io::ScanFile& self) {
+            return self.has_unusual_layout() ? io::name_of(self.format) : std::string();
+          },
+          nb::for_getter(nb::sig("def unusual_layout(self) -> str")),
+          "The layout that the numbers of a .bin file told, if it is not that of its ending.");
   nb::class_<io::ScanSequence>(module, "ScanSequence", "Scans on disk that belong together.")
       .def_ro("name", &io::ScanSequence::name, "Of the sequence; empty outside of a dataset.")
       .def_ro("scans", &io::ScanSequence::scans, "In the order in which they were taken.");
@@ -121,13 +141,14 @@ void bind_scan_files(nb::module_& module) {
              nb::sig("def read_poses(sequence: ScanSequence, poses: str | os.PathLike[str] | None, "
                      "calibration: str | os.PathLike[str] | None) -> "
                      "numpy.typing.NDArray[numpy.float64] | None"),
-             "T_map_lidar at each scan; None where there are no poses.");
+             "T_map_lidar at each scan, NaN if the poses leave it out; None where there are no "
+             "poses.");
   module.def("read_pose_file", &read_pose_file, nb::arg("path"),
              nb::sig("def read_pose_file(path: str | os.PathLike[str]) -> tuple["
                      "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64] | "
                      "None]"),
-             "The poses of a file in KITTI's or TUM's form, and their times, seconds, in the "
-             "latter.");
+             "The poses of a file in KITTI's, TUM's or ASL's form, and their times, seconds, in "
+             "the last two.");
   module.def("read_labels", &read_labels, nb::arg("sequence"), nb::arg("scan"), nb::arg("points"),
              nb::sig("def read_labels(sequence: ScanSequence, scan: ScanFile, points: int) -> "
                      "numpy.typing.NDArray[numpy.uint32] | None"),

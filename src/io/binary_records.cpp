@@ -8,7 +8,7 @@
 
 namespace groundgrid::io {
 
-void read_binary_records(InputFile& file, PointCloud& cloud) {
+void require_records(const InputFile& file, const PointCloud& cloud) {
   if (cloud.size() > 0 && file.remaining() / cloud.stride_bytes < cloud.size())
     throw Error({.file = file.path(),
                  .offset = file.position(),
@@ -17,6 +17,10 @@ void read_binary_records(InputFile& file, PointCloud& cloud) {
                  .got = fmt::format("{} bytes, which hold {}", file.remaining(),
                                     file.remaining() / cloud.stride_bytes),
                  .remedy = "the file is cut short; fetch it again"});
+}
+
+void read_binary_records(InputFile& file, PointCloud& cloud) {
+  require_records(file, cloud);
   file.read_into(cloud.data, cloud.size() * cloud.stride_bytes);
 }
 

@@ -1,6 +1,9 @@
 #include "io/field_copy.hpp"
 
 #include <cstring>
+#include <utility>
+
+#include "io/coordinate_fields.hpp"
 
 namespace groundgrid::io {
 
@@ -20,6 +23,17 @@ void FieldCopy::copy(const std::byte* from, std::size_t from_stride, std::byte* 
     for (const Part& part : parts_)
       std::memmove(to + point * to_stride + part.to, from + point * from_stride + part.from,
                    part.bytes);
+}
+
+void drop_padding(PointCloud& cloud) {
+  const std::vector<PointField> fields = std::exchange(cloud.fields, {});
+  const std::size_t stride = std::exchange(cloud.stride_bytes, 0);
+  FieldCopy copy;
+  for (const PointField& field : fields)
+    if (field.name != kPaddingName) copy.add(field, cloud);
+  if (cloud.stride_bytes == stride) return;
+  copy.copy(cloud.data.data(), stride, cloud.data.data(), cloud.stride_bytes, cloud.size());
+  cloud.data.resize(cloud.size() * cloud.stride_bytes);
 }
 
 }  // namespace groundgrid::io

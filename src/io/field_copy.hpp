@@ -25,4 +25,7 @@ class FieldCopy {
   std::vector<Part> parts_;  ///< Fields that stay neighbours are one part.
 };
 
+/// Takes the fields that are called kPaddingName out of a cloud.
+void drop_padding(PointCloud& cloud);
+
 }  // namespace groundgrid::io

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <clocale>
 #include <cstdlib>
@@ -64,8 +66,24 @@ std::vector<std::string_view> split_words(std::string_view line) {
   return words;
 }
 
+std::vector<std::string_view> split_columns(std::string_view line) {
+  const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
+  if (line.find(separator) == std::string_view::npos) return split_words(line);
+  std::vector<std::string_view> columns;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    columns.push_back(trimmed(line.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return columns;
+}
+
 std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows) {
   using Rows = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
+  constexpr std::array kLastRow{0.0, 0.0, 0.0, 1.0};
+  if (rows.size() != 12 &&
+      !(rows.size() == 16 && std::equal(kLastRow.begin(), kLastRow.end(), rows.begin() + 12)))
+    return std::nullopt;
   const Rows matrix = Eigen::Map<const Rows>(rows.data());
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
   const Eigen::Matrix3d error = rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
@@ -81,7 +99,7 @@ std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows) {
 Eigen::Isometry3d parse_rigid_transform(std::string_view line) {
   const auto numbers = parse_numbers(line);
   if (!numbers) throw std::invalid_argument("something that is no number");
-  if (numbers->size() != 12)
+  if (numbers->size() != 12 && numbers->size() != 16)
     throw std::invalid_argument(fmt::format("{} numbers", numbers->size()));
   const auto transform = rigid_transform(*numbers);
   if (!transform) throw std::invalid_argument("numbers that are no rotation and translation");

@@ -28,13 +28,18 @@ std::optional<std::size_t> parse_whole_number(std::string_view text);
 /// The words of a line of text, which are separated by blanks.
 std::vector<std::string_view> split_words(std::string_view line);
 
-/// Twelve numbers, row by row [R | t], as a rigid transform. Text holds few digits, so a rotation
+/// The columns of a line: what is between semicolons or, if there are none, commas, without the
+/// blanks around it; else the words.
+std::vector<std::string_view> split_columns(std::string_view line);
+
+/// Twelve numbers, row by row [R | t], or sixteen, with 0 0 0 1 as the last row, as a rigid
+/// transform; nothing for other counts. Text holds few digits, so a rotation
 /// that is off by up to 1e-3 in R·Rᵀ is made exact; nothing where it is off by more, is a mirror
 /// image, or a number is not finite.
 std::optional<Eigen::Isometry3d> rigid_transform(std::span<const double> rows);
 
 /// The transform in a line of text. Throws std::invalid_argument whose text is what was found in
-/// place of the twelve numbers of a rigid transform ("11 numbers").
+/// place of the twelve or sixteen numbers of a rigid transform ("11 numbers").
 Eigen::Isometry3d parse_rigid_transform(std::string_view line);
 
 /// The lines of a text, without line ends of either kind and without the byte order mark that some

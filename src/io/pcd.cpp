@@ -128,17 +128,6 @@ void read_records(InputFile& file, PointCloud& cloud) {
   }
 }
 
-void drop_padding(PointCloud& cloud) {
-  const std::vector<PointField> fields = std::exchange(cloud.fields, {});
-  const std::size_t stride = std::exchange(cloud.stride_bytes, 0);
-  FieldCopy copy;
-  for (const PointField& field : fields)
-    if (field.name != kPaddingName) copy.add(field, cloud);
-  if (cloud.stride_bytes == stride) return;
-  copy.copy(cloud.data.data(), stride, cloud.data.data(), cloud.stride_bytes, cloud.size());
-  cloud.data.resize(cloud.size() * cloud.stride_bytes);
-}
-
 }  // namespace
 
 void read_pcd(const std::filesystem::path& path, PointCloud& cloud) {

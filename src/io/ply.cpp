@@ -43,20 +43,25 @@ bool have_records(Elements elements) {
   });
 }
 
-void add_fields(const InputFile& file, const PlyElement& vertices, PointCloud& cloud) {
-  for (const PlyProperty& property : vertices.properties) {
-    if (property.count_type)
-      throw Error({.file = file.path(),
-                   .line = property.line,
-                   .expected = "one number in every property of the vertices",
-                   .got = fmt::format("the list {}", in_quotes(property.name)),
-                   .remedy = "write the file without it"});
-    cloud.add_field(property.name, property.type);
-  }
+void add_fields(const PlyElement& vertices, PointCloud& cloud) {
+  for (const PlyProperty& property : vertices.properties)
+    if (!property.count_type) cloud.add_field(property.name, property.type);
   cloud.width = vertices.count;
 }
 
-/// Moves over elements in front of the points of a binary file.
+// The fields before which a list stands.
+std::vector<std::size_t> places_of_lists(const PlyElement& vertices) {
+  std::vector<std::size_t> places;
+  std::size_t fields = 0;
+  for (const PlyProperty& property : vertices.properties)
+    if (property.count_type)
+      places.push_back(fields);
+    else
+      ++fields;
+  return places;
+}
+
+/// Moves over elements in front of the points of a binary file, and over lists.
 class ElementSkipper {
  public:
   ElementSkipper(InputFile& file, bool big_endian) : file_(file), big_endian_(big_endian) {}
@@ -65,8 +70,14 @@ class ElementSkipper {
     if (!element.has_lists()) return skip(element, element.count, element.bytes());
     for (std::size_t i = 0; i < element.count; ++i)
       for (const PlyProperty& property : element.properties)
-        skip(element, property.count_type ? read_count(element, *property.count_type) : 1,
-             size_of(property.type));
+        if (property.count_type)
+          skip_list(element, property);
+        else
+          skip(element, 1, size_of(property.type));
+  }
+
+  void skip_list(const PlyElement& element, const PlyProperty& list) {
+    skip(element, read_count(element, *list.count_type), size_of(list.type));
   }
 
  private:
@@ -94,8 +105,8 @@ class ElementSkipper {
   [[noreturn]] void fail(const PlyElement& element) const {
     throw Error({.file = file_.path(),
                  .offset = file_.position(),
-                 .expected = fmt::format("{} records of the element {} before the points",
-                                         element.count, in_quotes(element.name)),
+                 .expected = fmt::format("{} whole records of the element {}", element.count,
+                                         in_quotes(element.name)),
                  .got = "the end of the file among them",
                  .remedy = "the file is cut short or damaged; fetch it again"});
   }
@@ -104,19 +115,39 @@ class ElementSkipper {
   bool big_endian_;
 };
 
-void read_text(InputFile& file, Elements before, PointCloud& cloud) {
+// Vertices with lists are of any length.
+void read_records_with_lists(InputFile& file, const PlyElement& vertices, ElementSkipper& skipper,
+                             PointCloud& cloud) {
+  require_records(file, cloud);
+  file.resize(cloud.data, cloud.size() * cloud.stride_bytes);
+  std::byte* place = cloud.data.data();
+  for (std::size_t i = 0; i < vertices.count; ++i)
+    for (const PlyProperty& property : vertices.properties) {
+      if (property.count_type) {
+        skipper.skip_list(vertices, property);
+        continue;
+      }
+      file.read(place, size_of(property.type));
+      place += size_of(property.type);
+    }
+}
+
+void read_text(InputFile& file, Elements before, const PlyElement& vertices, PointCloud& cloud) {
   TextRecords text(file);
   // A record without properties has no line.
   for (const PlyElement& element : before)
     if (!element.properties.empty()) text.skip(element.count);
-  text.read(cloud);
+  text.read(cloud, places_of_lists(vertices));
 }
 
-void read_binary(InputFile& file, Elements before, PointCloud& cloud) {
+void read_binary(InputFile& file, Elements before, const PlyElement& vertices, PointCloud& cloud) {
   const bool big_endian = cloud.encoding == CloudEncoding::binary_big_endian;
   ElementSkipper skipper(file, big_endian);
   for (const PlyElement& element : before) skipper.skip(element);
-  read_binary_records(file, cloud);
+  if (vertices.has_lists())
+    read_records_with_lists(file, vertices, skipper, cloud);
+  else
+    read_binary_records(file, cloud);
   if (big_endian) swap_bytes(cloud);
 }
 
@@ -128,12 +159,12 @@ void read_ply(const std::filesystem::path& path, PointCloud& cloud) {
   const Elements elements(header.elements);
   const std::size_t vertices = find_vertices(file, elements);
   cloud.encoding = header.encoding;
-  add_fields(file, elements[vertices], cloud);
+  add_fields(elements[vertices], cloud);
   name_coordinates(path, cloud);
   if (cloud.encoding == CloudEncoding::ascii)
-    read_text(file, elements.first(vertices), cloud);
+    read_text(file, elements.first(vertices), elements[vertices], cloud);
   else
-    read_binary(file, elements.first(vertices), cloud);
+    read_binary(file, elements.first(vertices), elements[vertices], cloud);
   if (!have_records(elements.subspan(vertices + 1)))
     cloud.surplus_bytes = static_cast<std::size_t>(file.remaining());
 }

@@ -97,7 +97,7 @@ class HeaderParser {
 
   void take_property(const std::vector<std::string_view>& words) {
     if (header_.elements.empty()) fail("an element before its properties", in_quotes(line_));
-    PlyProperty property{.name = std::string(words.back()), .line = number_};
+    PlyProperty property{.name = std::string(words.back())};
     if (words.size() == 3) {
       property.type = type_named(words[1]);
     } else if (words.size() == 5 && words[1] == "list") {

@@ -15,7 +15,6 @@ struct PlyProperty {
   std::string name;
   FieldType type = FieldType::float32;
   std::optional<FieldType> count_type{};  ///< Of a list only.
-  std::size_t line = 0;                   ///< Where it stands in the header.
 };
 
 /// Records of one kind: vertices, faces, ...

@@ -9,6 +9,7 @@
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
 #include "io/text.hpp"
+#include "io/text_cloud.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -20,7 +21,8 @@ constexpr const char* kRemedy =
 
 bool is_scan_list(const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
-  return ends_with_in_any_case(ending, ".txt") || ends_with_in_any_case(ending, ".lst");
+  return ends_with_in_any_case(ending, ".lst") ||
+         (ends_with_in_any_case(ending, ".txt") && !is_text_cloud(path));
 }
 
 std::vector<ListedFile> read_scan_list(const std::filesystem::path& path) {

@@ -5,7 +5,8 @@
 
 namespace groundgrid::io {
 
-/// Whether a path is that of a list of scans: a text file, .txt or .lst in any case of letters.
+/// Whether a path is that of a list of scans: a file .lst, or .txt that does not look like a cloud
+/// (is_text_cloud()), in any case of letters.
 bool is_scan_list(const std::filesystem::path& path);
 
 /// One line of a list.

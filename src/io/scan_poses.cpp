@@ -45,10 +45,21 @@ ScanPoses ScanPoses::kitti(const std::filesystem::path& poses,
   return result;
 }
 
+ScanPoses ScanPoses::of_dataset(const ScanSequence& sequence) {
+  if (!sequence.is_kitti_360()) return kitti(sequence.poses(), sequence.calibration());
+  const std::filesystem::path calibration = sequence.calibration();
+  return from_file(sequence.poses(), sequence,
+                   is_there(calibration) ? std::optional(calibration) : std::nullopt);
+}
+
 ScanPoses ScanPoses::from_file(const std::filesystem::path& poses, const ScanSequence& sequence,
                                const std::optional<std::filesystem::path>& calibration) {
   ScanPoses result(poses, read_pose_file(poses));
   if (calibration) result.turn_into_lidar_poses(*calibration);
+  if (!result.list_.numbers.empty()) {
+    result.require_a_pose(sequence);
+    return result;
+  }
   if (!result.list_.times.empty() && is_there(sequence.times())) {
     result.times_path_ = sequence.times();
     result.scan_times_ = read_scan_times(result.times_path_);
@@ -65,11 +76,36 @@ Eigen::Isometry3d ScanPoses::first() const {
   return list_.poses.empty() ? Eigen::Isometry3d::Identity() : list_.poses.front();
 }
 
+bool ScanPoses::leaves_out(const ScanFile& scan) const {
+  return !list_.numbers.empty() &&
+         !std::binary_search(list_.numbers.begin(), list_.numbers.end(), scan.number);
+}
+
 Eigen::Isometry3d ScanPoses::pose(const ScanFile& scan) const {
+  if (leaves_out(scan))
+    throw Error({.file = path_,
+                 .expected = fmt::format("a line for scan number {}", scan.number),
+                 .got = "none",
+                 .remedy = "leave the scan out, or use --single-scan to do without poses"});
+  if (!list_.numbers.empty())
+    return list_.poses[static_cast<std::size_t>(
+        std::lower_bound(list_.numbers.begin(), list_.numbers.end(), scan.number) -
+        list_.numbers.begin())];
   if (!scan_times_.empty()) return pose_at_scan_time(scan);
   const std::size_t index = index_of(scan, line_);
   if (index >= size()) fail_missing(path_, index, "pose", size());
   return list_.poses[index];
+}
+
+void ScanPoses::require_a_pose(const ScanSequence& sequence) const {
+  for (const ScanFile& scan : sequence.scans)
+    if (!leaves_out(scan)) return;
+  throw Error({.file = path_,
+               .expected = fmt::format("a line for any of the scans {} to {}",
+                                       sequence.scans.front().name, sequence.scans.back().name),
+               .got = fmt::format("lines for the numbers {} to {}", list_.numbers.front(),
+                                  list_.numbers.back()),
+               .remedy = "use the poses of this sequence, or --single-scan to do without"});
 }
 
 ScanPoses::Line ScanPoses::matching_line(const std::filesystem::path& path, std::size_t lines,
@@ -93,6 +129,11 @@ std::size_t ScanPoses::index_of(const ScanFile& scan, Line line) {
 }
 
 void ScanPoses::turn_into_lidar_poses(const std::filesystem::path& calibration) {
+  if (is_folder(calibration)) {
+    const Eigen::Isometry3d T_vehicle_lidar = read_kitti_360_mounting(calibration);
+    for (Eigen::Isometry3d& pose : list_.poses) pose = pose * T_vehicle_lidar;
+    return;
+  }
   const Eigen::Isometry3d T_camera_lidar = read_lidar_calibration(calibration);
   const Eigen::Isometry3d T_lidar_camera = T_camera_lidar.inverse();
   for (Eigen::Isometry3d& pose : list_.poses) pose = T_lidar_camera * pose * T_camera_lidar;

@@ -21,17 +21,21 @@ class ScanPoses {
   static ScanPoses kitti(const std::filesystem::path& poses,
                          const std::filesystem::path& calibration);
 
-  /// A file of the LiDAR's own poses in the map frame, told apart by the numbers in a line:
-  ///  - KITTI: the twelve numbers of [R | t], row by row;
-  ///  - TUM: time tx ty tz qx qy qz qw, seconds and metres, comments with '#'.
-  /// With a `calibration` the poses are the camera's, as in kitti().
+  /// The poses of a dataset's sequence: as kitti() has them, or as a KITTI-360 dataset has, in a
+  /// map whose z is up, with the mounting of the LiDAR in `calibration`; if there is no such
+  /// folder, its poses are taken for the LiDAR's own.
+  static ScanPoses of_dataset(const ScanSequence& sequence);
+
+  /// A file of the LiDAR's own poses in the map frame, in any form of read_pose_file(). With a
+  /// `calibration` file the poses are the camera's, as in kitti(); with a folder they are those of
+  /// KITTI-360, as in of_dataset().
   ///
-  /// TUM poses are interpolated at a scan's time where the sequence has times.txt: on a straight
-  /// line, and about one axis; up to 0.1 s before the first and after the last it is that one.
-  /// Otherwise, and in KITTI form always, a line belongs to the scan of its number where every
-  /// number has a line, else to the scan of its place in order where there are as many lines as
-  /// scans. Throws Error where a file cannot be read, a line is no pose, or the lines cannot be
-  /// matched.
+  /// Poses with times are interpolated at a scan's time if the sequence has times.txt: on a
+  /// straight line, and about one axis; up to 0.1 s before the first and after the last it is that
+  /// one. Poses with numbers belong to the scans of these. Otherwise a line belongs to the scan of
+  /// its number if every number has a line, else to the scan of its place in order if there are as
+  /// many lines as scans. Throws Error if a file cannot be read, a line is no pose, or the lines
+  /// cannot be matched.
   static ScanPoses from_file(const std::filesystem::path& poses, const ScanSequence& sequence,
                              const std::optional<std::filesystem::path>& calibration = {});
 
@@ -40,6 +44,10 @@ class ScanPoses {
 
   /// The pose in the first line; the identity where there is none.
   [[nodiscard]] Eigen::Isometry3d first() const;
+
+  /// Whether the file numbers its poses, and has none for this scan: in KITTI-360 scans while the
+  /// car stands, for one, have none.
+  [[nodiscard]] bool leaves_out(const ScanFile& scan) const;
 
   /// T_map_lidar at a scan of the sequence. Throws Error, with the file and the line that is
   /// missing, where there is none.
@@ -55,6 +63,7 @@ class ScanPoses {
                             const ScanSequence& sequence);
   static std::size_t index_of(const ScanFile& scan, Line line);
 
+  void require_a_pose(const ScanSequence& sequence) const;
   void turn_into_lidar_poses(const std::filesystem::path& calibration);
   [[nodiscard]] Eigen::Isometry3d pose_at_scan_time(const ScanFile& scan) const;
 

@@ -7,11 +7,13 @@
 #include <map>
 #include <system_error>
 
+#include "io/bin_scan.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 #include "io/number_list.hpp"
 #include "io/path_checks.hpp"
 #include "io/scan_list.hpp"
+#include "io/text_cloud.hpp"
 
 namespace groundgrid::io {
 namespace {
@@ -38,18 +40,33 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return paths;
 }
 
+using FormatBy = ForcedFormat (*)(const fs::path& path);
+
 // An entry that turns out to be no file is left to reading, which a run may pass over.
-std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
+std::vector<ScanFile> scans_by(FormatBy format_by, const std::vector<fs::path>& entries,
+                               ForcedFormat forced) {
   std::vector<ScanFile> scans;
-  for (const fs::path& path : entries_of(folder)) {
-    const ForcedFormat named = format_by_name(path);
-    if (!named) continue;
-    scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
+  for (const fs::path& path : entries)
+    if (const ForcedFormat named = format_by(path))
+      scans.push_back({scan_stem(path), 0, path, forced.value_or(*named)});
+  return scans;
+}
+
+// Files .csv and .txt are often something else: scans only if there are no others, and one of them
+// looks like a cloud.
+std::vector<ScanFile> scans_in(const fs::path& folder, ForcedFormat forced) {
+  const std::vector<fs::path> entries = entries_of(folder);
+  std::vector<ScanFile> scans = scans_by(format_by_name, entries, forced);
+  if (scans.empty()) {
+    scans = scans_by(format_by_any_name, entries, forced);
+    if (std::none_of(scans.begin(), scans.end(),
+                     [](const ScanFile& scan) { return is_text_cloud(scan.path); }))
+      scans.clear();
   }
   if (scans.empty())
     throw Error({.file = folder,
-                 .expected = "scans (.bin, .pcd.bin, .pcd or .ply files) or a dataset "
-                             "(sequences/NN/velodyne)",
+                 .expected = fmt::format("scans (files {}) or a dataset (sequences/NN/velodyne)",
+                                         kScanEndings),
                  .got = "neither"});
   return scans;
 }
@@ -85,8 +102,21 @@ void number_places(std::vector<ScanFile>& scans) {
   for (std::size_t i = 0; i < scans.size(); ++i) scans[i].index = i;
 }
 
+// Where a sequence has its scans; KITTI's raw data and KITTI-360 have them in the second place.
+fs::path scan_folder(const fs::path& sequence) {
+  const fs::path raw = sequence / "velodyne_points" / "data";
+  return is_folder(raw) ? raw : sequence / "velodyne";
+}
+
+// The dataset of a sequence in data_3d_raw; empty elsewhere.
+fs::path kitti_360_of(const fs::path& sequence) {
+  const fs::path parent = fs::absolute(sequence / "..").lexically_normal().parent_path();
+  return parent.filename() == "data_3d_raw" ? parent.parent_path() : fs::path{};
+}
+
 ScanSequence dataset_sequence(const fs::path& folder, ForcedFormat forced) {
-  ScanSequence sequence{folder_name(folder), folder, scans_in(folder / "velodyne", forced)};
+  ScanSequence sequence{folder_name(folder), folder, scans_in(scan_folder(folder), forced),
+                        kitti_360_of(folder)};
   for (ScanFile& scan : sequence.scans) {
     const auto number = parse_whole_number(scan.name);
     if (!number)
@@ -120,13 +150,15 @@ void require_readable(const fs::path& folder) {
 }
 
 std::vector<fs::path> sequence_folders(const fs::path& input) {
-  if (is_folder(input / "velodyne")) return {input};
-  const fs::path parent = is_folder(input / "sequences") ? input / "sequences" : input;
+  if (is_folder(scan_folder(input))) return {input};
+  const fs::path parent = is_folder(input / "sequences")     ? input / "sequences"
+                          : is_folder(input / "data_3d_raw") ? input / "data_3d_raw"
+                                                             : input;
   const bool all_are_sequences = folder_name(parent) == "sequences";
   std::vector<fs::path> folders;
   for (const fs::path& path : entries_of(parent)) {
     if (all_are_sequences) require_readable(path / "velodyne");
-    if (is_folder(path / "velodyne")) folders.push_back(path);
+    if (is_folder(scan_folder(path))) folders.push_back(path);
   }
   return folders;
 }
@@ -158,11 +190,11 @@ std::vector<fs::path> folders_named(const std::vector<fs::path>& folders,
 std::vector<ScanFile> listed_scans(const fs::path& list, ForcedFormat forced) {
   std::vector<ScanFile> scans;
   for (const ListedFile& file : read_scan_list(list)) {
-    const ForcedFormat format = forced ? forced : format_by_name(file.path);
+    const ForcedFormat format = forced ? forced : format_by_any_name(file.path);
     if (!format)
       throw Error({.file = list,
                    .line = file.line,
-                   .expected = "a scan (.bin, .pcd.bin, .pcd or .ply)",
+                   .expected = fmt::format("a scan ({})", kScanEndings),
                    .got = file.path.string(),
                    .remedy = "say what the scans are with --format"});
     scans.push_back({scan_stem(file.path), 0, file.path, *format});
@@ -172,11 +204,12 @@ std::vector<ScanFile> listed_scans(const fs::path& list, ForcedFormat forced) {
 
 ScanFile single_scan(const fs::path& path, ForcedFormat forced) {
   require_regular_file(path);
-  const ForcedFormat format = forced ? forced : format_by_name(path);
+  const ForcedFormat format = forced ? forced : format_by_any_name(path);
   if (!format)
     throw Error({.file = path,
-                 .expected = "a scan (.bin, .pcd.bin, .pcd or .ply), a folder of scans, a list of "
-                             "scans (.txt or .lst) or a dataset",
+                 .expected = fmt::format(
+                     "a scan ({}), a folder of scans, a list of scans (.txt or .lst) or a dataset",
+                     kScanEndings),
                  .got = "another kind of file",
                  .remedy = "if it is a scan, say of which kind with --format"});
   return {scan_stem(path), 0, path, *format};
@@ -210,6 +243,27 @@ ScanSequence plain_sequence(const fs::path& input, ForcedFormat forced) {
   return sequence;
 }
 
+// Files of one ending are of one layout: that of the first whose numbers tell.
+void guess_layouts(std::vector<ScanFile>& scans) {
+  std::vector<std::pair<BinLayout, BinLayout>> found;  // The usual layout, and that of these files.
+  for (ScanFile& scan : scans) {
+    if (scan.format.kind != ScanFormat::Kind::bin) continue;
+    scan.layout_is_guessed = true;
+    const bool known = std::any_of(found.begin(), found.end(), [&](const auto& layouts) {
+      return layouts.first == scan.format.layout;
+    });
+    if (known) continue;
+    if (const auto layout = guess_layout(scan.path, scan.format.layout))
+      found.emplace_back(scan.format.layout, *layout);
+  }
+  for (ScanFile& scan : scans)
+    for (const auto& [usual, layout] : found)
+      if (scan.layout_is_guessed && scan.format.layout == usual) {
+        scan.format.layout = layout;
+        break;
+      }
+}
+
 void require_existing(const fs::path& input) {
   std::error_code error;
   const fs::file_status status = fs::status(input, error);
@@ -232,10 +286,12 @@ std::vector<ScanSequence> find_sequences(const fs::path& input, std::span<const 
                  .expected = "a dataset with sequences/NN/velodyne",
                  .got = "a place without",
                  .remedy = "leave out --sequence for plain scans"});
-  if (folders.empty()) return {plain_sequence(input, format)};
   std::vector<ScanSequence> sequences;
+  if (folders.empty()) sequences.push_back(plain_sequence(input, format));
   for (const fs::path& folder : names.empty() ? folders : folders_named(folders, names, input))
     sequences.push_back(dataset_sequence(folder, format));
+  if (!format)
+    for (ScanSequence& sequence : sequences) guess_layouts(sequence.scans);
   return sequences;
 }
 

@@ -86,19 +86,46 @@ std::size_t numbers_per_record(const PointCloud& cloud) {
 
 }  // namespace
 
-TextRecords::TextRecords(InputFile& file) : file_(file), line_(file.lines()) {
-  file.read_into(text_, static_cast<std::size_t>(file.remaining()));
+TextRecords::TextRecords(InputFile& file, std::size_t most_bytes)
+    : file_(file), line_(file.lines()) {
+  file.read_into(text_,
+                 static_cast<std::size_t>(std::min<std::uintmax_t>(file.remaining(), most_bytes)));
   rest_ = text_;
 }
 
-std::string_view TextRecords::next_line() {
+std::string_view TextRecords::peek() {
   while (!rest_.empty()) {
     const std::string_view line = rest_.substr(0, rest_.find('\n'));
+    if (!trimmed(line).empty()) return line;
     rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
     ++line_;
-    if (!trimmed(line).empty()) return line;
   }
   return {};
+}
+
+std::string_view TextRecords::next_line() {
+  const std::string_view line = peek();
+  if (line.empty()) return line;
+  rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
+  ++line_;
+  return line;
+}
+
+std::size_t TextRecords::count() const {
+  std::size_t lines = 0;
+  for (std::string_view rest = rest_; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    if (!trimmed(line).empty()) ++lines;
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+  }
+  return lines;
+}
+
+void TextRecords::make_blank(std::string_view letters) {
+  const auto begin = text_.end() - static_cast<std::ptrdiff_t>(rest_.size());
+  std::replace_if(
+      begin, text_.end(),
+      [&](char letter) { return letters.find(letter) != std::string_view::npos; }, ' ');
 }
 
 void TextRecords::skip(std::size_t records) {
@@ -111,7 +138,7 @@ void TextRecords::skip(std::size_t records) {
                    .remedy = "the file is cut short; fetch it again"});
 }
 
-void TextRecords::read(PointCloud& cloud) {
+void TextRecords::read(PointCloud& cloud, std::span<const std::size_t> lists) {
   // A number takes two letters at least, with the blank or line end after it.
   const std::size_t most = (rest_.size() + 1) / 2 / numbers_per_record(cloud);
   if (cloud.size() > most)
@@ -129,13 +156,33 @@ void TextRecords::read(PointCloud& cloud) {
                    .expected = fmt::format("{} points, as the header promises", cloud.size()),
                    .got = fmt::format("the end of the file after {}", point),
                    .remedy = "the file is cut short; fetch it again"});
-    read_record(line, cloud, cloud.data.data() + point * cloud.stride_bytes);
+    read_record(line, cloud, lists, cloud.data.data() + point * cloud.stride_bytes);
   }
 }
 
+void TextRecords::skip_list(std::string_view& line) const {
+  const auto fail = [&](std::string_view word) {
+    throw Error({.file = file_.path(),
+                 .line = line_,
+                 .expected = "the count of a list and so many numbers",
+                 .got = word.empty() ? "the end of the line" : in_quotes(word)});
+  };
+  const std::string_view word = take_word(line);
+  double count = 0.0;
+  // No list has more numbers than its line has letters; NaN is no count either.
+  if (!parse(word, count) || !(count >= 0.0 && count <= static_cast<double>(line.size())))
+    fail(word);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    if (take_word(line).empty()) fail("");
+}
+
 void TextRecords::read_record(std::string_view line, const PointCloud& cloud,
-                              std::byte* record) const {
-  for (const PointField& field : cloud.fields)
+                              std::span<const std::size_t> lists, std::byte* record) const {
+  const auto skip_lists_before = [&](std::size_t index) {
+    for (; !lists.empty() && lists.front() == index; lists = lists.subspan(1)) skip_list(line);
+  };
+  for (const PointField& field : cloud.fields) {
+    skip_lists_before(static_cast<std::size_t>(&field - cloud.fields.data()));
     for (std::size_t i = 0; i < field.count; ++i) {
       const std::string_view word = take_word(line);
       if (parse_to(field.type, word, record + field.offset + i * size_of(field.type))) continue;
@@ -145,6 +192,8 @@ void TextRecords::read_record(std::string_view line, const PointCloud& cloud,
            .expected = fmt::format("a {} for {}", name_of(field.type), in_quotes(field.name)),
            .got = word.empty() ? "the end of the line" : in_quotes(word)});
     }
+  }
+  skip_lists_before(cloud.fields.size());
   const std::string_view surplus = take_word(line);
   if (!surplus.empty())
     throw Error({.file = file_.path(),
@@ -160,7 +209,7 @@ void TextRecords::require_end() {
                  .line = line_,
                  .expected = "the end of the file after as many points as the header says",
                  .got = in_quotes(line),
-                 .remedy = "mend WIDTH, HEIGHT and POINTS in the header"});
+                 .remedy = "mend the number of points in the header"});
 }
 
 std::string text_of_records(const PointCloud& cloud) {

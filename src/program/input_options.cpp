@@ -1,9 +1,13 @@
 #include "program/input_options.hpp"
 
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
 #include <CLI/Validators.hpp>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "io/error.hpp"
 #include "io/path_checks.hpp"
@@ -18,6 +22,22 @@ namespace fs = std::filesystem;
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
+// As CLI11 asks for it: empty if there is none.
+std::string format_problem(const std::string& name) {
+  return io::scan_format_named(name) ? ""
+                                     : fmt::format("expected {}, got {}", io::kFormatNames, name);
+}
+
+// A layout that is not what the ending of the name promises is not used without a word.
+void say_guessed_layouts(const io::ScanSequence& sequence) {
+  std::set<std::string> said;
+  for (const io::ScanFile& scan : sequence.scans)
+    if (scan.has_unusual_layout() &&
+        said.insert(io::name_of(scan.format)).second)
+      spdlog::info("{}: read as {} ({}), as its numbers tell; --format says otherwise",
+                   scan.path.string(), io::name_of(scan.format), scan.format.layout.words());
+}
+
 }  // namespace
 
 void InputOptions::add_to(CLI::App& command, const std::string& name,
@@ -26,16 +46,18 @@ void InputOptions::add_to(CLI::App& command, const std::string& name,
   command.add_option("--sequence", sequences_, "Only these sequences of a dataset");
   command
       .add_option("--format", format_,
-                  "Take every scan as kitti, nuscenes, pcd or ply, whatever its name says")
-      ->check(CLI::IsMember({"kitti", "nuscenes", "pcd", "ply"}));
+                  fmt::format("Take every scan as {}, whatever its name says", io::kFormatNames))
+      ->check(CLI::Validator(format_problem, "FORMAT"));
   CLI::Option* const poses =
       command.add_option("--poses", poses_,
-                         "Poses of the LiDAR, KITTI (12 numbers a line) or TUM (time, position, "
-                         "quaternion), z up, instead of the sequence's poses.txt");
+                         "Poses of the LiDAR, in the form of KITTI (12 or 16 numbers a line), "
+                         "KITTI-360 (the scan's number first), TUM (time, position, quaternion) or "
+                         "ASL (CSV), z up, instead of the sequence's poses.txt");
   CLI::Option* const calibration =
       command
           .add_option("--calibration", calibration_,
-                      "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses")
+                      "calib.txt whose Tr makes LiDAR poses of the camera poses in --poses, or "
+                      "KITTI-360's folder calibration")
           ->needs(poses);
   CLI::Option* const mounting =
       command
@@ -60,6 +82,7 @@ std::vector<io::ScanSequence> InputOptions::find_sequences() const {
       format_.empty() ? std::optional<io::ScanFormat>{} : io::scan_format_named(format_));
   if (!poses_.empty() && sequences.size() > 1)
     throw UsageError("--poses is for one sequence; choose it with --sequence");
+  for (const io::ScanSequence& sequence : sequences) say_guessed_layouts(sequence);
   return sequences;
 }
 
@@ -79,14 +102,18 @@ std::optional<io::ScanPoses> InputOptions::read_poses(const io::ScanSequence& se
                      .expected = "the poses of the sequence",
                      .got = "nothing of that name",
                      .remedy = "use --single-scan to do without poses, or --poses for others"});
-  return io::ScanPoses::kitti(sequence.poses(), sequence.calibration());
+  if (sequence.is_kitti_360() && !io::is_there(sequence.calibration()))
+    spdlog::warn("{}: nothing of that name, so the poses are taken for the LiDAR's own",
+                 sequence.calibration().string());
+  return io::ScanPoses::of_dataset(sequence);
 }
 
 std::optional<io::ScanPoses> InputOptions::read_every_pose(const io::ScanSequence& sequence,
                                                            bool single_scan) const {
   std::optional<io::ScanPoses> poses = read_poses(sequence, single_scan);
   if (!poses) return poses;
-  for (const io::ScanFile& scan : sequence.scans) (void)poses->pose(scan);
+  for (const io::ScanFile& scan : sequence.scans)
+    if (!poses->leaves_out(scan)) (void)poses->pose(scan);
   return poses;
 }
 

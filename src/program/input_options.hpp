@@ -38,7 +38,8 @@ class InputOptions {
   [[nodiscard]] std::optional<io::ScanPoses> read_poses(const io::ScanSequence& sequence,
                                                         bool single_scan) const;
 
-  /// The same, throwing io::Error also where a scan of the sequence has no pose.
+  /// The same, throwing io::Error also if a scan of the sequence has no pose, unless the
+  /// poses are numbered and leave it out.
   [[nodiscard]] std::optional<io::ScanPoses> read_every_pose(const io::ScanSequence& sequence,
                                                              bool single_scan) const;
 

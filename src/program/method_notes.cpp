@@ -33,6 +33,7 @@ void put_notes(nlohmann::ordered_json& json, const MethodNotes& notes) {
     json["sensor_height"] = {
         {"min_m", heights->least}, {"max_m", heights->greatest}, {"estimated", heights->estimated}};
   json["map_restarts"] = notes.map_restarts;
+  json["without_pose"] = notes.without_pose;
 }
 
 }  // namespace groundgrid::program

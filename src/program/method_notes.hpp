@@ -20,6 +20,7 @@ struct SensorHeights {
 struct MethodNotes {
   std::optional<SensorHeights> sensor_heights{};  ///< Nothing where no scan ever had one.
   std::size_t map_restarts = 0;                   ///< Scans whose pose jumped.
+  std::size_t without_pose = 0;                   ///< Scans that the poses leave out.
 
   void add(const ScanResult& result);
 
@@ -28,7 +29,8 @@ struct MethodNotes {
   [[nodiscard]] std::string sensor_words() const;
 };
 
-/// Adds `sensor_height`, null where there is none, and `map_restarts` to a sequence's JSON.
+/// Adds `sensor_height`, null where there is none, `map_restarts` and `without_pose` to a
+/// sequence's JSON.
 void put_notes(nlohmann::ordered_json& json, const MethodNotes& notes);
 
 }  // namespace groundgrid::program

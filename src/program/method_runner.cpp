@@ -11,6 +11,7 @@
 #include <numbers>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "io/error.hpp"
@@ -83,7 +84,8 @@ void warn_about(const io::ScanFile& scan, const ScanResult& result, const Config
 
 MethodRunner::MethodRunner(const Config& config, int threads, std::optional<io::ScanPoses> poses,
                            RunFrames frames)
-    : grid_(make_grid(config, threads)),
+    : threads_(threads),
+      grid_(make_grid(config, threads)),
       poses_(std::move(poses)),
       frames_(std::move(frames)),
       T_map_poses_(poses_ ? frames_.T_map_level * T_level_poses(*poses_, frames_.R_level_lidar)
@@ -94,7 +96,7 @@ void MethodRunner::read(const io::ScanFile& scan, ScanSlot& slot) const {
 }
 
 Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
-  if (!poses_) return T_map_poses_;
+  if (!poses_ || is_lone(scan)) return frames_.T_map_level;
   Eigen::Isometry3d T_lidar_level = Eigen::Isometry3d::Identity();
   T_lidar_level.linear() = frames_.R_level_lidar.transpose();
   Eigen::Isometry3d T_map_base = T_map_poses_ * poses_->pose(scan) * T_lidar_level;
@@ -102,20 +104,36 @@ Eigen::Isometry3d MethodRunner::pose(const io::ScanFile& scan) const {
   return T_map_base;
 }
 
+GroundGrid& MethodRunner::grid_for(const io::ScanFile& scan) {
+  if (!is_lone(scan)) return grid_;
+  if (!lone_grid_) lone_grid_.emplace(make_grid(grid_.config(), threads_));
+  return *lone_grid_;
+}
+
+void MethodRunner::warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud) {
+  const std::string remark = has_warned_of_viewpoint_ ? "" : viewpoint_remark(cloud);
+  if (remark.empty()) return;
+  spdlog::warn("{}: {}", scan.path.string(), remark);
+  has_warned_of_viewpoint_ = true;
+}
+
 void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   if (slot.problem) std::rethrow_exception(std::exchange(slot.problem, nullptr));
   const Eigen::Isometry3d T_map_base = pose(scan);
-  if (!poses_) grid_.reset();
+  GroundGrid& grid = grid_for(scan);
+  if (!poses_ || is_lone(scan)) grid.reset();
   const auto begin = std::chrono::steady_clock::now();
   const SensorScan sensor_scan{.points = slot.points};
-  const ScanResult result = process_scan(grid_, sensor_scan, T_map_base, scan);
+  const ScanResult result = process_scan(grid, sensor_scan, T_map_base, scan);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
 
-  if (layers_)
+  if (layers_ && !is_lone(scan))
     layers_->update(grid_.terrain(), std::span(&sensor_scan, 1), T_map_base, result.labels,
                     limits_);
   notes_.add(result);
+  if (is_lone(scan)) ++notes_.without_pose;
   warn_about(scan, result, grid_.config());
+  warn_of_viewpoint(scan, slot.cloud);
   slot.milliseconds = time.count();
   slot.counts = counts_of(result);
   slot.labels.resize(result.labels.size());

@@ -23,8 +23,9 @@ struct RunFrames {
 /// Runs the method over the scans of one sequence in their order.
 class MethodRunner {
  public:
-  /// Without poses every scan is a single one: the map is forgotten before it. `threads` as
-  /// GroundGrid has them. Throws std::runtime_error if memory does not hold the map.
+  /// Without poses every scan is a single one: the map is forgotten before it. A scan that the
+  /// poses leave out is one, too, in a map of its own. `threads` as GroundGrid has them. Throws
+  /// std::runtime_error if memory does not hold the map.
   MethodRunner(const Config& config, int threads, std::optional<io::ScanPoses> poses,
                RunFrames frames = {});
 
@@ -35,6 +36,11 @@ class MethodRunner {
   /// pose or one that lays the vehicle on its side. Warns where the map starts anew and where no
   /// point lies in the map.
   void process(const io::ScanFile& scan, ScanSlot& slot);
+
+  /// Whether the poses leave this scan out, so that it is not in terrain() and layers().
+  [[nodiscard]] bool is_lone(const io::ScanFile& scan) const {
+    return poses_ && poses_->leaves_out(scan);
+  }
 
   /// From now on makes the layers of the terrain after each scan, too.
   void make_layers(const TraversabilityLimits& limits) {
@@ -56,15 +62,21 @@ class MethodRunner {
 
  private:
   [[nodiscard]] Eigen::Isometry3d pose(const io::ScanFile& scan) const;
+  GroundGrid& grid_for(const io::ScanFile& scan);
+  /// Once, since all scans of a sensor have the same one or each has another.
+  void warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud);
 
+  int threads_;
   GroundGrid grid_;
-  std::optional<io::ScanPoses> poses_;  ///< Nothing for single scans.
+  std::optional<GroundGrid> lone_grid_{};  ///< Of scans without a pose, once there is one.
+  std::optional<io::ScanPoses> poses_;     ///< Nothing for single scans.
   RunFrames frames_;
   Eigen::Isometry3d T_map_poses_;
   MethodNotes notes_;
   TraversabilityLimits limits_;
   std::optional<TerrainLayers> layers_;
   bool keeps_heights_ = false;
+  bool has_warned_of_viewpoint_ = false;
 };
 
 }  // namespace groundgrid::program

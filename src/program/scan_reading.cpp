@@ -1,8 +1,12 @@
 #include "program/scan_reading.hpp"
 
+#include <fmt/format.h>
+
 #include <cstring>
+#include <vector>
 
 #include "io/error.hpp"
+#include "io/number_list.hpp"
 #include "io/scan_file.hpp"
 
 namespace groundgrid::program {
@@ -32,9 +36,19 @@ void copy_coordinates(const PointView& points, std::vector<float>& coordinates) 
     Eigen::Vector3f::Map(&coordinates[3 * i]) = point_at(points, i);
 }
 
+std::string viewpoint_remark(const io::PointCloud& cloud) {
+  const std::vector<double> origin{0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
+  if (cloud.viewpoint.empty() || io::parse_numbers(cloud.viewpoint) == origin) return "";
+  return fmt::format(
+      "VIEWPOINT {} is not used: the points are taken to be in the LiDAR's own frame. If they are "
+      "in "
+      "that of a map, give the LiDAR's poses and clouds in its frame",
+      cloud.viewpoint);
+}
+
 void read_into_slot(const io::ScanFile& scan, const Eigen::Matrix3d& R_level_lidar,
                     ScanSlot& slot) {
-  io::read_scan(scan.path, scan.format, slot.cloud);
+  io::read_scan(scan, slot.cloud);
   if (slot.cloud.size() == 0)
     throw io::Error(
         {.file = scan.path, .expected = "a scan", .got = "a file that holds no points"});

@@ -105,6 +105,13 @@ std::string_view name_of(io::CloudEncoding encoding) {
 
 Json or_null(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
+std::string format_text(const io::ScanFormat& format) {
+  const std::string name = io::name_of(format);
+  return format.kind == io::ScanFormat::Kind::bin
+             ? fmt::format("{} ({})", name, format.layout.words())
+             : name;
+}
+
 std::string field_text(const FieldSummary& summary) {
   const std::string numbers =
       summary.field.count > 1 ? fmt::format("[{}]", summary.field.count) : "";
@@ -128,6 +135,7 @@ ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot) {
                       .surplus_bytes = cloud.surplus_bytes};
   for (const io::PointField& field : cloud.fields)
     summary.fields.push_back(field_summary(cloud, field));
+  summary.viewpoint_remark = viewpoint_remark(cloud);
   std::vector<float> xyz;
   copy_coordinates(slot.points, xyz);
   add_geometry(summary, xyz);
@@ -146,6 +154,7 @@ std::vector<std::string> ScanSummary::remarks() const {
     remarks.push_back(fmt::format(
         "{} bytes after the last point are left out: does the header promise too few points?",
         surplus_bytes));
+  if (!viewpoint_remark.empty()) remarks.push_back(viewpoint_remark + ".");
   if (looks_flipped)
     remarks.emplace_back(
         "z looks flipped: the ground is above the LiDAR. Is it mounted upside down? Then "
@@ -165,7 +174,7 @@ std::string to_text(const ScanSummary& s) {
   const std::string shape =
       s.height > 1 ? fmt::format(", organised {} x {}", s.width, s.height) : "";
   std::string text = fmt::format("  {}: {}, {}, {} points{}\n", s.file.path.string(),
-                                 io::name_of(s.file.format), name_of(s.encoding), s.points, shape);
+                                 format_text(s.file.format), name_of(s.encoding), s.points, shape);
   for (const FieldSummary& field : s.fields) text += field_text(field);
   if (s.not_finite > 0) text += fmt::format("    {} points are NaN or infinite\n", s.not_finite);
   if (s.at_origin > 0)

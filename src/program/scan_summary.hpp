@@ -39,8 +39,9 @@ struct ScanSummary {
   double greatest_range_m = kNoNumber;
   double least_elevation_deg = kNoNumber;
   double greatest_elevation_deg = kNoNumber;
-  std::size_t surplus_bytes = 0;  ///< After the last point of a binary file.
-  std::size_t outside_map = 0;    ///< Beyond the map of the default parameters.
+  std::string viewpoint_remark{};  ///< As viewpoint_remark() has it.
+  std::size_t surplus_bytes = 0;   ///< After the last point of a binary file.
+  std::size_t outside_map = 0;     ///< Beyond the map of the default parameters.
   /// As estimate_sensor_height() finds it.
   std::optional<double> sensor_height_m{};
   /// The level ground lies above the LiDAR, and it would be below if y and z changed sign.

@@ -55,7 +55,7 @@ bool SequenceRun::process(const io::ScanFile& scan, ScanSlot& slot) {
     context_.progress.advance();
     return false;
   }
-  if (terrain_) terrain_->add(scan, runner_.terrain(), runner_.layers());
+  if (terrain_ && !runner_.is_lone(scan)) terrain_->add(scan, runner_.terrain(), runner_.layers());
   return true;
 }
 
@@ -78,6 +78,10 @@ void SequenceRun::finish_terrain() {
 void SequenceRun::announce() const {
   const std::string name = record_.name.empty() ? "" : fmt::format("sequence {}: ", record_.name);
   const std::string height = record_.scans > 0 ? ", " + record_.notes.sensor_words() : "";
+  if (record_.notes.without_pose > 0)
+    spdlog::warn(
+        "{}{} scans have no pose: they are segmented as single scans and are not in the terrain",
+        name, record_.notes.without_pose);
   spdlog::info("{}segmented {} of {} scans{}", name, record_.scans,
                record_.scans + record_.skipped.size(), height);
 }

@@ -26,7 +26,7 @@ TEST(BinScan, RejectsATruncatedFileAndSaysWhere) {
   test::write_file(folder / "cut.bin", std::string(16 * 3 + 5, 'x'));
   PointCloud points;
   const std::string message =
-      message_of<Error>([&] { read_kitti_scan(folder / "cut.bin", points); });
+      message_of<Error>([&] { read_bin_scan(folder / "cut.bin", kKittiLayout, points); });
   EXPECT_TRUE(contains(message, (folder / "cut.bin").string()));
   EXPECT_TRUE(contains(message, "byte 48"));
   EXPECT_TRUE(contains(message, "got 5 bytes"));
@@ -35,11 +35,13 @@ TEST(BinScan, RejectsATruncatedFileAndSaysWhere) {
 TEST(BinScan, RejectsWhatIsNoFile) {
   const test::TemporaryFolder folder;
   PointCloud points;
-  EXPECT_TRUE(contains(message_of<Error>([&] { read_kitti_scan(folder / "none.bin", points); }),
-                       "none.bin: expected a file, got nothing of that name"));
-  EXPECT_TRUE(contains(message_of<Error>([&] { read_kitti_scan(folder.path(), points); }),
-                       "expected a file, got a directory"));
-  EXPECT_TRUE(contains(message_of<Error>([&] { read_kitti_scan("/dev/null", points); }),
+  EXPECT_TRUE(
+      contains(message_of<Error>([&] { read_bin_scan(folder / "none.bin", kKittiLayout, points); }),
+               "none.bin: expected a file, got nothing of that name"));
+  EXPECT_TRUE(
+      contains(message_of<Error>([&] { read_bin_scan(folder.path(), kKittiLayout, points); }),
+               "expected a file, got a directory"));
+  EXPECT_TRUE(contains(message_of<Error>([&] { read_bin_scan("/dev/null", kKittiLayout, points); }),
                        "expected a regular file"));
 }
 
@@ -65,6 +67,16 @@ TEST(BinScan, KeepsAllFieldsOfANuscenesScan) {
   ASSERT_EQ(cloud.size(), 2U);
   EXPECT_EQ(value_at(cloud, 0, *cloud.find("ring")), 31.0);
   EXPECT_EQ(value_at(cloud, 1, *cloud.find("x")), -1.0);
+}
+
+TEST(BinScan, PassesOverTheNumbersThatItsLayoutDoesNotName) {
+  const test::TemporaryFolder folder;
+  test::write_numbers<double>(folder / "scan.bin", {9, 1, 2, 3, 8, 0.5, 9, -1, -2, -3, 8, 0.25});
+  PointCloud cloud;
+  read_scan(folder / "scan.bin", *scan_format_named("_xyz_i:f64"), cloud);
+  EXPECT_EQ(names_of(cloud), (test::Names{"x", "y", "z", "intensity"}));
+  EXPECT_EQ(test::values_of(cloud, "x"), (std::vector<double>{1, -1}));
+  EXPECT_EQ(test::values_of(cloud, "intensity"), (std::vector<double>{0.5, 0.25}));
 }
 
 TEST(BinScan, KeepsPointsThatAreNoNumbers) {

@@ -142,6 +142,25 @@ TEST_F(Info, CountsPointsThatAreNoMeasurement) {
   EXPECT_NEAR(scan["range_m"]["max"].get<double>(), std::sqrt(26.0), 1e-6);
 }
 
+TEST_F(Info, SaysThatAViewpointIsNotUsed) {
+  const auto remarks_with = [&](const std::string& viewpoint) {
+    test::write_file(dataset.folder / "seen.pcd",
+                     "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 1\nHEIGHT 1\n" +
+                         viewpoint + "POINTS 1\nDATA ascii\n5 0 -1\n");
+    return info_json(dataset.folder / "seen.pcd")["sequences"][0]["first_scan"]["remarks"].dump();
+  };
+  const std::string words = "VIEWPOINT 0 0 1.8 1 0 0 0 is not used";
+  EXPECT_TRUE(contains(remarks_with("VIEWPOINT 0 0 1.8 1 0 0 0\n"), words));
+  EXPECT_FALSE(contains(remarks_with("VIEWPOINT 0 0 0 1.0 0 0 0\n"), "VIEWPOINT"));
+  EXPECT_FALSE(contains(remarks_with(""), "VIEWPOINT"));
+  (void)remarks_with("VIEWPOINT 0 0 1.8 1 0 0 0\n");
+  const ProgramRun run = test::run_program(
+      "segment " + test::shell_word(dataset.folder / "seen.pcd") +
+      " --sensor-height-m 1 --output " + test::shell_word(dataset.folder / "out"));
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_TRUE(contains(run.words, words));
+}
+
 TEST_F(Info, SeesThatAHeaderPromisesTooFewPoints) {
   test::write_file(
       dataset.folder / "long.pcd",

@@ -159,8 +159,7 @@ TEST(PlyBinary, HoldsWhatTheHeaderPromises) {
                "got 0 bytes"));
   const std::string vertex = "element vertex 0\n"s + kXyz + "end_header\n";
   const std::string message =
-      "records of the element 'face' before the points, got the end of the "
-      "file among them";
+      "whole records of the element 'face', got the end of the file among them";
   EXPECT_TRUE(contains(error(begin + "element face 9\nproperty int a\n" + vertex + "1234"),
                        "expected 9 " + message));
   EXPECT_TRUE(contains(
@@ -184,11 +183,49 @@ TEST(PlyFile, MayHoldNoPoints) {
   }
 }
 
-TEST(PlyFile, HasNoListsInItsVertices) {
-  EXPECT_TRUE(contains(error("ply\nformat ascii 1.0\nelement vertex 0\n"s + kXyz +
-                             "property list uchar int neighbours\nend_header\n"),
-                       "line 7: expected one number in every property of the vertices, got the "
-                       "list 'neighbours'; write the file without it"));
+// Lists before, between and behind the coordinates.
+const std::string kVertexWithLists =
+    "element vertex 2\nproperty list uchar int a\nproperty float x\nproperty float y\n"
+    "property list ushort double b\nproperty list int uchar c\nproperty float z\n"
+    "property list uchar uchar d\nend_header\n";
+
+void expect_two_points(const PointCloud& cloud) {
+  EXPECT_EQ(names_of(cloud), (test::Names{"x", "y", "z"}));
+  EXPECT_EQ(values_of(cloud, "x"), (Values{1, 4}));
+  EXPECT_EQ(values_of(cloud, "y"), (Values{2, 5}));
+  EXPECT_EQ(values_of(cloud, "z"), (Values{3, 6}));
+  EXPECT_EQ(cloud.surplus_bytes, 0U);
+}
+
+TEST(PlyAscii, PassesOverListsInItsVertices) {
+  const std::string begin = "ply\nformat ascii 1.0\n" + kVertexWithLists;
+  expect_two_points(read(begin + "2 7 8 1 2 0 1 9 3 0\n0 4 5 1 7.5 0 6 3 1 2 3\n"));
+  EXPECT_TRUE(contains(error(begin + "2 7 8 1 2 0 1 9 3 0\n-1 4 5 1 7.5 0 6 0\n"),
+                       "line 13: expected the count of a list and so many numbers, got '-1'"));
+  EXPECT_TRUE(contains(error(begin + "9 7 8 1 2 0 1 9 3 0\n0 4 5 0 0 6 0\n"), "line 12"));
+  EXPECT_TRUE(contains(error(begin + "999 7 8 1 2 0 1 9 3 0\n0 4 5 0 0 6 0\n"), "got '999'"));
+  EXPECT_TRUE(contains(
+      error(begin + "0 1 2 0 0 3 4 1 2 3\n0 4 5 0 0 6 0\n"),
+      "line 12: expected the count of a list and so many numbers, got the end of the line"));
+  EXPECT_TRUE(contains(error(begin + "0 1 2 0 0 3 1 1 2 3\n0 4 5 0 0 6 0\n"), "got more: '2'"));
+}
+
+template <typename Bytes>
+std::string two_points_with_lists(Bytes bytes) {
+  const auto byte = [](char value) { return std::string(1, value); };
+  return byte(2) + bytes(7) + bytes(8) + bytes(1.0F) + bytes(2.0F) + bytes(std::uint16_t{0}) +
+         bytes(1) + byte(9) + bytes(3.0F) + byte(0) + byte(0) + bytes(4.0F) + bytes(5.0F) +
+         bytes(std::uint16_t{1}) + bytes(7.5) + bytes(0) + bytes(6.0F) + byte(3) + "123";
+}
+
+TEST(PlyBinary, PassesOverListsInItsVertices) {
+  const std::string numbers = two_points_with_lists([](auto number) { return little(number); });
+  const std::string begin = "ply\nformat binary_little_endian 1.0\n" + kVertexWithLists;
+  expect_two_points(read(begin + numbers));
+  expect_two_points(read("ply\nformat binary_big_endian 1.0\n" + kVertexWithLists +
+                         two_points_with_lists([](auto number) { return big(number); })));
+  for (std::size_t left = 0; left < numbers.size(); ++left)
+    EXPECT_TRUE(contains(error(begin + numbers.substr(0, left)), "expected ")) << left;
 }
 
 struct WrongPlyHeader {

@@ -42,7 +42,7 @@ TEST_P(ScanFileOf, LeavesTheCloudEmptyWhereItCannotBeRead) {
 
 INSTANTIATE_TEST_SUITE_P(EveryFormat, ScanFileOf,
                          ::testing::Values(ScanFormat::kitti, ScanFormat::nuscenes, ScanFormat::pcd,
-                                           ScanFormat::ply),
+                                           ScanFormat::ply, ScanFormat::text),
                          [](const auto& instance) { return std::string(name_of(instance.param)); });
 
 TEST(ScanFile, ReusesTheMemoryOfTheLastScan) {

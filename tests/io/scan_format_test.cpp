@@ -26,10 +26,13 @@ TEST(ScanFormat, IsNoneForHiddenFilesAndOtherEndings) {
 }
 
 TEST(ScanFormat, HasANameThatFindsIt) {
-  for (const ScanFormat format :
-       {ScanFormat::kitti, ScanFormat::nuscenes, ScanFormat::pcd, ScanFormat::ply})
+  for (const ScanFormat format : {ScanFormat::kitti, ScanFormat::nuscenes, ScanFormat::pcd,
+                                  ScanFormat::ply, ScanFormat::text})
     EXPECT_EQ(scan_format_named(name_of(format)), format);
   EXPECT_EQ(name_of(ScanFormat::nuscenes), "nuscenes");
+  EXPECT_EQ(name_of(*scan_format_named("xyzirt")), "xyzirt");
+  EXPECT_EQ(scan_format_named("xyzi"), ScanFormat::kitti);
+  EXPECT_EQ(scan_format_named("xyzir"), ScanFormat::nuscenes);
   EXPECT_FALSE(scan_format_named("las"));
   EXPECT_FALSE(scan_format_named(""));
 }

@@ -263,6 +263,129 @@ TEST_F(PoseFile, MustHoldPoses) {
                        "line 3: expected the twelve numbers of a rigid transform, got 2 numbers"));
 }
 
+// Half of the root of 2: 90° about z, in the order of each form.
+constexpr const char* kTumLeft = "0 0 0.70710678 0.70710678";
+constexpr const char* kAslLeft = "0.70710678,0,0,0.70710678";
+
+TEST_F(PoseFile, MayHaveMatricesOfFourRows) {
+  const ScanPoses poses =
+      read("1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n1 0 0 0 0 1 0 3 0 0 1 0 0 0 0 1\n");
+  EXPECT_TRUE(pose(poses, 1).isApprox(turned_left(0.0, 3.0, 0.0), 1e-12));
+  EXPECT_TRUE(contains(error("1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 2\n"), "no rotation and translation"));
+}
+
+TEST_F(PoseFile, OfTumFormMayHaveAHeaderThatIsNoComment) {
+  const ScanPoses poses = read(std::string("timestamp tx ty tz qx qy qz qw\n10 1 2 3 0 0 0 1\n") +
+                               "10.5 4 5 0 " + kTumLeft + "\n");
+  EXPECT_TRUE(pose(poses, 1).isApprox(turned_left(4.0, 5.0, 90.0), 1e-12));
+  EXPECT_TRUE(contains(error("10 1 2 3 0 0 0 1\ntimestamp tx ty tz qx qy qz qw\n"), "line 2"));
+}
+
+TEST_F(PoseFile, OfAslFormHasTheRealPartFirstAndNanoseconds) {
+  write_file(folder / "times.txt", "1403636580.5\n1403636581\n");
+  const std::string header =
+      "#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], "
+      "q_RS_y [], q_RS_z []";
+  const std::string velocity = ",0.1,0.2,0.3,0,0,0,0,0,0";
+  for (const std::string& more : {std::string(), velocity}) {
+    const ScanPoses poses = read(header + "\n1403636580000000000,0,0,0,1,0,0,0" + more + "\n" +
+                                 "1403636581000000000, 4, 8, 0, " + kAslLeft + more + "\n");
+    EXPECT_TRUE(pose(poses, 0).isApprox(turned_left(2.0, 4.0, 45.0), 1e-6));
+    EXPECT_TRUE(pose(poses, 1).isApprox(turned_left(4.0, 8.0, 90.0), 1e-6));
+  }
+}
+
+TEST_F(PoseFile, WithCommasMaySayThatTheRealPartIsLast) {
+  const ScanPoses poses =
+      read("time,tx,ty,tz,qx,qy,qz,qw\n1.0,0,0,0,0,0,0,1\n2.0,4,8,0,0,0,0.70710678,0.70710678\n");
+  EXPECT_TRUE(pose(poses, 1).isApprox(turned_left(4.0, 8.0, 90.0), 1e-12));
+  EXPECT_TRUE(contains(error("1.0,0,0,0,1,0,0,0\n2.0,0,0,0,1,0,0,x\n"),
+                       "line 2: expected a pose as time tx ty tz qw qx qy qz"));
+}
+
+TEST_F(PoseFile, WithNumbersBelongsToTheScansOfThese) {
+  const ScanPoses poses = read("1 1 0 0 7 0 1 0 0 0 0 1 0\n4 1 0 0 2 0 1 0 0 0 0 1 0\n");
+  EXPECT_EQ(pose(poses, 1).translation(), Eigen::Vector3d(2.0, 0.0, 0.0));
+  EXPECT_FALSE(poses.leaves_out(sequence.scans[1]));
+  // Nothing is made up for what stands between two lines.
+  EXPECT_TRUE(poses.leaves_out(sequence.scans[0]));
+  EXPECT_TRUE(contains(message_of<Error>([&] { (void)pose(poses, 0); }),
+                       "drive.txt: expected a line for scan number 3, got none"));
+  const ScanPoses of_four_rows = read("4 1 0 0 2 0 1 0 0 0 0 1 0 0 0 0 1\n");
+  EXPECT_EQ(pose(of_four_rows, 1).translation(), Eigen::Vector3d(2.0, 0.0, 0.0));
+  EXPECT_FALSE(read(std::string(kLidarAhead) + kLidarLeft).leaves_out(sequence.scans[0]));
+}
+
+TEST_F(PoseFile, WithNumbersHasThemInOrderAndOneOfAScan) {
+  const std::string rest = " 1 0 0 7 0 1 0 0 0 0 1 0\n";
+  EXPECT_TRUE(contains(error("3" + rest + "3" + rest),
+                       "line 2: expected the number of a scan, "
+                       "greater than the one before, and its pose, "
+                       "got '3'"));
+  EXPECT_TRUE(contains(error("3" + rest + "4.5" + rest), "got '4.5'"));
+  EXPECT_TRUE(contains(error("0" + rest + "9" + rest),
+                       "expected a line for any of the scans 3 to 4, got lines for the numbers 0 "
+                       "to 9"));
+}
+
+/// A KITTI-360 dataset of two scans. Its vehicle's frame is x ahead, y right, z down, its LiDAR
+/// 1 m behind the camera and 0.5 m above it, the camera 2 m before the vehicle's origin.
+class Kitti360Poses : public ::testing::Test {
+ protected:
+  Kitti360Poses() {
+    for (const char* const name : {"0000000000.bin", "0000000002.bin"})
+      write_file(folder / "data_3d_raw/drive/velodyne_points/data" / name, "");
+    // Ahead along the map's y.
+    write_file(folder / "data_poses/drive/poses.txt", "2 0 1 0 10 1 0 0 20 0 0 -1 1.5\n");
+  }
+
+  void write_calibration() const {
+    write_file(folder / "calibration/calib_cam_to_pose.txt",
+               "image_00: 0 0 1 2 1 0 0 0 0 1 0 0\nimage_01: 0 0 1 9 1 0 0 9 0 1 0 9\n");
+    write_file(folder / "calibration/calib_cam_to_velo.txt", "0 0 1 1 -1 0 0 0 0 -1 0 -0.5\n");
+  }
+
+  [[nodiscard]] ScanSequence sequence(const std::string& below = "") const {
+    return find_sequences(folder / below).front();
+  }
+
+  test::TemporaryFolder folder;
+};
+
+TEST_F(Kitti360Poses, AreTheLidarsInAMapWhoseZIsUp) {
+  write_calibration();
+  for (const char* const below : {"", "data_3d_raw", "data_3d_raw/drive"}) {
+    const ScanSequence found = sequence(below);
+    EXPECT_EQ(found.name, "drive");
+    ASSERT_EQ(found.scans.size(), 2U);
+    const ScanPoses poses = ScanPoses::of_dataset(found);
+    EXPECT_TRUE(poses.leaves_out(found.scans[0]));
+    Eigen::Isometry3d expected = turned_left(10.0, 21.0, 90.0);
+    expected.translation().z() = 2.0;
+    EXPECT_TRUE(poses.pose(found.scans[1]).isApprox(expected, 1e-12));
+    const ScanPoses same = ScanPoses::from_file(found.poses(), found, folder / "calibration");
+    EXPECT_TRUE(same.pose(found.scans[1]).isApprox(expected, 1e-12));
+  }
+}
+
+TEST_F(Kitti360Poses, AreTakenAsTheyAreWithoutACalibration) {
+  const ScanSequence found = sequence();
+  EXPECT_EQ(ScanPoses::of_dataset(found).pose(found.scans[1]).translation(),
+            Eigen::Vector3d(10.0, 20.0, 1.5));
+}
+
+TEST_F(Kitti360Poses, NeedAWholeCalibrationIfThereIsOne) {
+  const auto problem = [&] {
+    return message_of<Error>([&] { ScanPoses::of_dataset(sequence()); });
+  };
+  write_calibration();
+  write_file(folder / "calibration/calib_cam_to_velo.txt", "");
+  EXPECT_TRUE(
+      contains(problem(), "calib_cam_to_velo.txt: expected a line with the twelve numbers"));
+  write_file(folder / "calibration/calib_cam_to_pose.txt", "image_01: 0 0 1 9 1 0 0 9 0 1 0 9\n");
+  EXPECT_TRUE(contains(problem(), "calib_cam_to_pose.txt: expected a line 'image_00:'"));
+}
+
 using RealPoses = test::WithSharedData;
 
 TEST_F(RealPoses, OfTheOdometrySetAreOnlyMetresApart) {

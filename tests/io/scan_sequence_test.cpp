@@ -316,7 +316,7 @@ TEST(ScanLists, NameThemselvesTheLineAndTheMissingFile) {
 
 TEST(ScanLists, AreNoScansWhateverTheFormat) {
   const test::TemporaryFolder folder;
-  write_file(folder / "scan.txt", "1 2 3\n");
+  write_file(folder / "scan.txt", "VERSION 0.7\n");
   const std::string remedy = "a .txt or .lst file is a list of scans; give a scan another ending";
   const auto message = [&](const char* file) {
     return message_of<Error>([&] { find_sequences(folder / file, {}, ScanFormat::pcd); });
@@ -325,6 +325,9 @@ TEST(ScanLists, AreNoScansWhateverTheFormat) {
   EXPECT_TRUE(contains(message("scan.txt"), remedy));
   write_file(folder / "empty.txt", "");
   EXPECT_TRUE(contains(message("empty.txt"), remedy));
+  write_file(folder / "cloud.txt", "1 2 3\n");
+  EXPECT_EQ(find_sequences(folder / "cloud.txt", {}, ScanFormat::pcd).front().scans[0].format,
+            ScanFormat::pcd);
 }
 
 TEST(ScanLists, HoldScansOnly) {

@@ -74,6 +74,37 @@ TEST_F(SegmentInput, WritesCloudsWithLabelsAndHeights) {
   }
 }
 
+TEST_F(SegmentInput, OfFiveFloatsGetsALabelForEveryPointOrIsRefused) {
+  const std::vector<float> four = test::SyntheticScan().points;
+  std::vector<float> five;
+  for (std::size_t i = 0; i < four.size() / 16 * 16; ++i) {
+    five.push_back(four[i]);
+    if (i % 4 == 3) five.push_back(static_cast<float>(i / 4 % 64));
+  }
+  const std::size_t points = five.size() / 5;
+  ASSERT_EQ(five.size() % 4, 0U) << "or its size tells";
+  test::write_numbers(folder / "scans/a.bin", five);
+  const ProgramRun run = segment_input(folder / "scans/a.bin");
+  ASSERT_EQ(run.exit_code, 0) << run.words;
+  EXPECT_EQ(labels("a").size(), 4 * points);
+  EXPECT_TRUE(contains(run.words, "read as nuscenes (x y z intensity ring, 32-bit floats)"));
+  EXPECT_TRUE(contains(run_program("info " + shell_word(folder / "scans")).output,
+                       "nuscenes (x y z intensity ring, 32-bit floats), binary"));
+  test::write_numbers(folder / "scans/0.bin", four);
+  const ProgramRun mixed = segment_input(folder / "scans");
+  EXPECT_EQ(mixed.exit_code, 1);
+  EXPECT_TRUE(contains(mixed.words, "a.bin: expected points of x y z intensity, 32-bit floats"));
+}
+
+TEST_F(SegmentInput, TakesALayoutByItsLetters) {
+  const fs::path scan = plain_scan("a");
+  ASSERT_EQ(segment_input(scan, "--format xyz_").exit_code, 0);
+  EXPECT_EQ(labels("a").size(), 4 * test::SyntheticScan().size());
+  const ProgramRun wrong = segment_input(scan, "--format xyq");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(contains(wrong.words, "expected kitti, nuscenes, pcd, ply, text or the letters"));
+}
+
 TEST_F(SegmentInput, TakesItsOwnCloudsAgain) {
   ASSERT_EQ(segment_input(plain_scan("a"), "--clouds pcd").exit_code, 0);
   const std::string first = labels("a");
@@ -221,7 +252,7 @@ TEST_F(SegmentInput, AnglesOfTheLidarMayBeNegative) {
 TEST_F(SegmentInput, WarnsWhereNoPointHasAnAnswer) {
   std::vector<float> points(4 * 50, std::nanf(""));
   test::write_numbers(folder / "scans/nan.bin", points);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = i % 8 < 4 ? 1e30F : -INFINITY;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = i % 8 < 4 ? 1e6F : -INFINITY;
   test::write_numbers(folder / "scans/far.bin", points);
   for (const std::string name : {"nan", "far"}) {
     const ProgramRun run = segment_input(folder / "scans" / (name + ".bin"));

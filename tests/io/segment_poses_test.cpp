@@ -22,6 +22,33 @@ TEST_F(Segment, NamesTheScanWhosePoseIsOutOfBounds) {
   EXPECT_EQ(segment("--keep-going").exit_code, 0);
 }
 
+TEST_F(Segment, TakesScansThatNumberedPosesLeaveOutAsSingleOnes) {
+  const test::SyntheticScan scan;
+  const fs::path scans = folder / "data_3d_raw/drive/velodyne_points/data";
+  for (const char* const name : {"0.bin", "1.bin", "2.bin"})
+    test::write_numbers(scans / name, scan.points);
+  const fs::path poses = folder / "data_poses/drive/poses.txt";
+  test::write_file(poses, "0 1 0 0 0 0 1 0 0 0 0 1 0\n2 1 0 0 1 0 1 0 0 0 0 1 0\n");
+  const auto run = [&](const fs::path& input, const std::string& more) {
+    return test::run_program("segment " + test::shell_word(input) + " --output " +
+                             test::shell_word(output()) + " --terrain " + more);
+  };
+  const ProgramRun dataset_run = run(folder.path(), "");
+  ASSERT_EQ(dataset_run.exit_code, 0) << dataset_run.words;
+  EXPECT_TRUE(contains(dataset_run.words,
+                       "sequence drive: 1 scans have no pose: they are segmented as single scans"));
+  EXPECT_TRUE(contains(dataset_run.words, "calibration: nothing of that name"));
+  EXPECT_EQ(record()["sequences"][0]["without_pose"], 1);
+  EXPECT_EQ(record()["complete"], true);
+  const std::string alone = test::read_file(output() / "sequences/drive/predictions/1.label");
+  EXPECT_EQ(alone.size(), 4 * scan.size());
+  EXPECT_TRUE(fs::exists(output() / "sequences/drive/terrain.tif"));
+  ASSERT_EQ(run(scans, "--poses " + test::shell_word(poses)).exit_code, 0);
+  EXPECT_EQ(test::read_file(output() / "1.label"), alone);
+  ASSERT_EQ(run(scans / "1.bin", "").exit_code, 0);
+  EXPECT_EQ(test::read_file(output() / "1.label"), alone);
+}
+
 TEST_F(Segment, SaysWhatToDoWithoutPoses) {
   dataset.add_sequence("00", 2);
   fs::remove(dataset.folder / "sequences/00/poses.txt");

@@ -1,9 +1,10 @@
-"""KITTI, SemanticKITTI and nuScenes, PCD and PLY: scans that are files."""
+"""KITTI, SemanticKITTI, KITTI-360 and nuScenes, PCD, PLY and text: scans that are files."""
 
 from __future__ import annotations
 
 import os
 import pathlib
+import warnings
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -19,9 +20,10 @@ class FileDataset:
     """The scans of one sequence: of a dataset in KITTI's layout, a folder, a list or one file.
 
     sequence: the name of one of a dataset's sequences; the only one where it is left out.
-    poses: poses of the LiDAR in KITTI's or TUM's form, instead of the sequence's own.
-    calibration: a calib.txt whose Tr makes LiDAR poses of camera poses.
-    format: "kitti", "nuscenes", "pcd" or "ply" where the files' endings do not tell.
+    poses: poses of the LiDAR in any form that the program reads, instead of the sequence's own.
+    calibration: a calib.txt whose Tr makes LiDAR poses of camera poses, or KITTI-360's folder.
+    format: "kitti", "nuscenes", "pcd", "ply", "text" or the letters of a .bin file's numbers ("xyzirt")
+        where neither the files' endings nor their numbers tell.
 
     Raises FileNotFoundError and ValueError, with the file, the place in it and what to do.
     """
@@ -42,6 +44,12 @@ class FileDataset:
             names = ", ".join(each.name for each in found)
             raise ValueError(f"{os.fspath(path)}: choose one by sequence=: {names}")
         self._sequence = found[0]
+        for layout in {scan.unusual_layout for scan in self._sequence.scans} - {""}:
+            warnings.warn(
+                f"{os.fspath(path)}: .bin files are read as {layout}, as their numbers tell; format= "
+                "says otherwise",
+                stacklevel=2,
+            )
         self._poses = read_poses(self._sequence, poses, calibration)
 
     @property
@@ -74,6 +82,7 @@ class FileDataset:
             points, pose = placed(fields, len(table))
         else:
             points, pose = points_of(fields, len(table)), self._poses[index]
+            pose = None if np.isnan(pose).any() else pose
         return Scan(
             name=file.name,
             points=points,
