@@ -52,6 +52,10 @@ void InputOptions::exclude_poses(CLI::Option* other) {
   for (CLI::Option* option : pose_options_) other->excludes(option);
 }
 
+void InputOptions::add_files(InputFiles& inputs) const {
+  for (const fs::path& file : {path_, poses_, calibration_}) inputs.add(file);
+}
+
 std::vector<io::ScanSequence> InputOptions::find_sequences() const {
   for (const double angle : roll_pitch_yaw_deg_)
     if (!std::isfinite(angle)) throw UsageError("--lidar-rpy-deg: expected three finite angles");

@@ -34,7 +34,7 @@ def add_to(commands: Any) -> None:
 def view(options: argparse.Namespace) -> None:
     output = options.output or Path(options.input.resolve().stem + ".rrd")
     dataset = open_input(options)
-    Inputs(dataset, options.input).keep(output)
+    Inputs(dataset, options).keep(output)
     grid = GroundGrid(config_of(options))
     count = 0
     with Recording(output, terrain_every=options.terrain_every) as recording:
