@@ -52,6 +52,7 @@ void FileBatch::add(AtomicFile&& file) {
   // Each is open until it has its name.
   constexpr std::size_t kMost = 64;
   file.close();
+  file.place_.begin_to_synchronise();
   files_.push_back(std::move(file.place_));
   if (files_.size() >= kMost) commit();
 }

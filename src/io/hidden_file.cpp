@@ -67,9 +67,6 @@ HiddenFile::~HiddenFile() {
 }
 
 void HiddenFile::commit(std::span<HiddenFile> files) {
-  // The disk is told of all files before one is waited for.
-  for (const HiddenFile& file : files)
-    ::sync_file_range(file.descriptor(), 0, 0, SYNC_FILE_RANGE_WRITE);
   for (const HiddenFile& file : files) file.synchronise();
   std::set<fs::path> folders;
   for (HiddenFile& file : files) {
@@ -77,6 +74,10 @@ void HiddenFile::commit(std::span<HiddenFile> files) {
     folders.insert(folder_of(file.path_));
   }
   for (const fs::path& folder : folders) sync_folder(folder);
+}
+
+void HiddenFile::begin_to_synchronise() const {
+  ::sync_file_range(descriptor_.get(), 0, 0, SYNC_FILE_RANGE_WRITE);
 }
 
 void HiddenFile::synchronise() const {

@@ -42,6 +42,10 @@ class HiddenFile {
   /// have their names.
   static void commit(std::span<HiddenFile> files);
 
+  /// Has what is written so far taken to the disk without waiting for it, so that commit() will
+  /// not have to wait long.
+  void begin_to_synchronise() const;
+
  private:
   void synchronise() const;
   void rename();
