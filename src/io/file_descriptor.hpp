@@ -1,7 +1,9 @@
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <utility>
 
 namespace groundgrid::io {
@@ -11,6 +13,11 @@ class FileDescriptor {
  public:
   /// Nothing is open where the number is negative, as that of a failed open() is.
   explicit FileDescriptor(int number = -1) : number_(number) {}
+  /// What the system's open() gives; a new file has the rights that the umask leaves it.
+  static FileDescriptor open(const std::filesystem::path& path, int flags) {
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): the system has no other
+    return FileDescriptor(::open(path.c_str(), flags | O_CLOEXEC, 0666));
+  }
   ~FileDescriptor() {
     if (number_ >= 0) ::close(number_);
   }

@@ -41,7 +41,7 @@ struct NewFile {
 NewFile new_file_beside(const fs::path& result) {
   for (;;) {
     fs::path path = result.parent_path() / hidden_name();
-    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    FileDescriptor file = FileDescriptor::open(path, O_RDWR | O_CREAT | O_EXCL);
     if (!file.is_open() && errno != EEXIST) fail_to_write(result, system_message(errno));
     if (file.is_open() && is_ours(file.get())) return {std::move(path), std::move(file)};
   }

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 FileDescriptor locked(const fs::path& path) {
   for (;;) {
     // A link would make a file in another place.
-    FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+    FileDescriptor file = FileDescriptor::open(path, O_RDWR | O_CREAT | O_NOFOLLOW);
     if (!file.is_open()) fail_to_write(path, system_message(errno));
     if (::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
       if (has_name(file.get(), path)) return file;
@@ -43,9 +43,9 @@ FileDescriptor locked(const fs::path& path) {
 
 bool remove_leftover(const fs::path& path) {
   // To be locked on a share, files must be open for writing, which folders cannot be.
-  FileDescriptor file(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  FileDescriptor file = FileDescriptor::open(path, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
   if (!file.is_open() && errno == EISDIR)
-    file = FileDescriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    file = FileDescriptor::open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
   if (!file.is_open() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return false;
   std::error_code error;
   return fs::remove_all(path, error) > 0 && !error;
@@ -68,7 +68,7 @@ void make_folder(const fs::path& folder) {
 }
 
 void sync_folder(const fs::path& folder) {
-  const FileDescriptor open_folder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor open_folder = FileDescriptor::open(folder, O_RDONLY | O_DIRECTORY);
   // A folder may be there to be written to and not to be read.
   if (!open_folder.is_open() && errno == EACCES) return;
   if (open_folder.is_open() && ::fsync(open_folder.get()) == 0) return;
