@@ -21,5 +21,6 @@ void bind_terrain_metrics(nb::module_& module);
 void bind_simulation(nb::module_& module);
 void bind_scan_files(nb::module_& module);
 void bind_cloud_files(nb::module_& module);
+void bind_output_files(nb::module_& module);
 
 }  // namespace groundgrid::python

@@ -17,4 +17,5 @@ NB_MODULE(_core, module) {
   bind_simulation(module);
   bind_scan_files(module);
   bind_cloud_files(module);
+  bind_output_files(module);
 }

@@ -107,6 +107,16 @@ nb::object read_labels(const io::ScanSequence& sequence, const io::ScanFile& sca
   return to_array(std::move(labels), {points});
 }
 
+nb::list files_beside(const io::ScanSequence& sequence) {
+  nb::list files;
+  if (sequence.plain()) return files;
+  for (const fs::path& file : {sequence.poses(), sequence.calibration(), sequence.times()})
+    files.append(name_of_path(file));
+  for (const io::ScanFile& scan : sequence.scans)
+    files.append(name_of_path(sequence.labels() / (scan.name + ".label")));
+  return files;
+}
+
 }  // namespace
 
 void bind_scan_files(nb::module_& module) {
@@ -126,7 +136,11 @@ void bind_scan_files(nb::module_& module) {
           "The layout that the numbers of a .bin file told, if it is not that of its ending.");
   nb::class_<io::ScanSequence>(module, "ScanSequence", "Scans on disk that belong together.")
       .def_ro("name", &io::ScanSequence::name, "Of the sequence; empty outside of a dataset.")
-      .def_ro("scans", &io::ScanSequence::scans, "In the order in which they were taken.");
+      .def_ro("scans", &io::ScanSequence::scans, "In the order in which they were taken.")
+      .def_prop_ro("beside", &files_beside,
+                   nb::for_getter(nb::sig("def beside(self) -> list[str]")),
+                   "What a dataset has beside the scans: poses, calibration, times and labels, "
+                   "whether or not they are there.");
   module.def("find_sequences", &find_sequences, nb::arg("input"), nb::arg("names"),
              nb::arg("format").none(),
              nb::sig("def find_sequences(input: str | os.PathLike[str], names: list[str], format: "

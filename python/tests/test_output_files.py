@@ -1,11 +1,16 @@
-"""What the extension module writes, and the blocks of a drive's terrain."""
+"""What the extension module writes, and the blocks of a drive's terrain; files and folders on the
+way to their names."""
+
+import fcntl
+import os
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import groundgrid
 from groundgrid import _core
-from groundgrid.output_files import hidden_file
+from groundgrid.output_files import hidden_file, hidden_folder, locked_folder
 
 RECORDS = np.zeros(3, [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("bins", "<u2", 2)])
 FIELDS = [("x", "float32", 1), ("y", "float32", 1), ("z", "float32", 1), ("bins", "uint16", 2)]
@@ -93,7 +98,7 @@ def test_a_terrain_needs_a_folder(tmp_path):
 def test_a_file_appears_where_nothing_failed(tmp_path):
     with hidden_file(tmp_path / "a.txt") as hidden:
         hidden.write_text("whole")
-        assert not (tmp_path / "a.txt").exists() and hidden.name.startswith(".a.txt.")
+        assert not (tmp_path / "a.txt").exists() and hidden.name.startswith(".groundgrid-")
     assert (tmp_path / "a.txt").read_text() == "whole"
     with pytest.raises(KeyError), hidden_file(tmp_path / "a.txt") as hidden:
         hidden.write_text("half")
@@ -101,3 +106,71 @@ def test_a_file_appears_where_nothing_failed(tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == ["a.txt"]
     assert (tmp_path / "a.txt").read_text() == "whole"
     assert (tmp_path / "a.txt").stat().st_mode & 0o044
+
+
+def test_two_files_of_one_name_do_not_mix(tmp_path):
+    with hidden_file(tmp_path / "a.txt") as one, hidden_file(tmp_path / "a.txt") as other:
+        one.write_text("one")
+        other.write_text("the other")
+    assert (tmp_path / "a.txt").read_text() == "one"
+    assert [each.name for each in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_a_file_that_took_the_hidden_name_is_not_committed(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"a\.txt: expected a place to write to, got another"):
+        with hidden_file(tmp_path / "a.txt") as hidden:
+            hidden.unlink()
+            hidden.symlink_to("/etc/passwd")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_folder_appears_where_nothing_failed(tmp_path):
+    with hidden_folder(tmp_path / "a") as hidden:
+        (hidden / "below").mkdir(parents=True)
+        (hidden / "below" / "b.txt").write_text("whole")
+        assert not (tmp_path / "a").exists() and hidden.name == "a"
+    assert [each.name for each in tmp_path.iterdir()] == ["a"]
+    assert (tmp_path / "a" / "below" / "b.txt").read_text() == "whole"
+    with pytest.raises(KeyError), hidden_folder(tmp_path / "c") as hidden:
+        hidden.mkdir()
+        raise KeyError
+    assert [each.name for each in tmp_path.iterdir()] == ["a"]
+
+
+def test_bytes_are_on_the_disk_before_they_have_a_name(tmp_path, monkeypatch):
+    synced = []
+
+    def fsync(handle):
+        synced.append(os.readlink(f"/proc/self/fd/{handle}"))
+        if synced[-1].endswith("lost.txt"):
+            raise OSError(5, "Input/output error")
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    with hidden_folder(tmp_path / "a") as hidden:
+        hidden.mkdir()
+        (hidden / "b.txt").write_text("whole")
+    assert sorted(Path(each).name for each in synced) == ["a", "b.txt"]
+    with pytest.raises(OSError, match="Input/output"), hidden_folder(tmp_path / "c") as hidden:
+        hidden.mkdir()
+        (hidden / "lost.txt").write_text("lost")
+    assert [each.name for each in tmp_path.iterdir()] == ["a"]
+
+
+def test_a_folder_is_one_runs_and_leftovers_go(tmp_path):
+    names = [f".groundgrid-{number:016x}.tmp" for number in range(3)]
+    (tmp_path / names[0]).write_text("half")
+    (tmp_path / names[1]).mkdir()
+    (tmp_path / names[1] / "half.mcap").write_text("half")
+    (tmp_path / ".groundgrid-another.tmp").write_text("kept")
+    in_use = (tmp_path / names[2]).open("w")
+    fcntl.flock(in_use, fcntl.LOCK_EX)
+    with locked_folder(tmp_path):
+        assert sorted(each.name for each in tmp_path.iterdir()) == [
+            names[2], ".groundgrid-another.tmp", ".groundgrid.lock"]
+        words = "expected a folder that no other run writes to, got one that is in use"
+        with pytest.raises(ValueError, match=words), locked_folder(tmp_path):
+            pass
+    in_use.close()
+    with locked_folder(tmp_path):
+        pass
+    assert [each.name for each in tmp_path.iterdir()] == [".groundgrid-another.tmp"]

@@ -84,7 +84,7 @@ def test_withheld_points_do_not_count(tmp_path):
         (["--crs", "EPSG:0"], "--crs: "),
         (["--crs", "EPSG:4326"], "--crs: expected a system in metres or feet, got degrees"),
         (["--output", "{}/tile.las"], "tile.las: expected another file for --output than the tile"),
-        (["--output", "{}/no/such/folder.tif"], "folder.tif: expected the folder "),
+        (["--output", "{}/no/such/folder.tif"], "folder.tif: expected a place to write to"),
     ],
 )
 def test_what_cannot_be_is_said_and_leaves_nothing(tmp_path, capsys, flags, words):

@@ -1,12 +1,8 @@
 #include "geotiff/tile_store.hpp"
 
-#include <fcntl.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
-#include <string>
 #include <type_traits>
 
 #include "io/error.hpp"
@@ -19,15 +15,6 @@ static_assert(std::is_trivially_copyable_v<MosaicTile>);
 static_assert(sizeof(MosaicTile) == MosaicTile::kCells * 28);
 static_assert(std::is_trivially_copyable_v<LayersTile>);
 static_assert(LayersTile::kSide == MosaicTile::kSide);
-
-int open_without_name(const std::filesystem::path& result) {
-  std::string name =
-      (result.parent_path() / fmt::format(".{}.tiles.XXXXXX", result.filename().string())).string();
-  const int file = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file < 0) io::fail_to_write(result, io::system_message(errno));
-  ::unlink(name.c_str());
-  return file;
-}
 
 /// The quotient, rounded down for negative numbers too.
 std::int64_t tile_of(std::int64_t cell) {
@@ -50,12 +37,7 @@ CellRange tiles_of(const CellRange& cells) {
 
 template <typename Tile>
 BasicTileStore<Tile>::BasicTileStore(std::filesystem::path result)
-    : result_(std::move(result)), file_(open_without_name(result_)) {}
-
-template <typename Tile>
-BasicTileStore<Tile>::~BasicTileStore() {
-  ::close(file_);
-}
+    : result_(std::move(result)), file_(io::file_without_name(result_)) {}
 
 template <typename Tile>
 Tile& BasicTileStore<Tile>::load(Index index) {
@@ -97,7 +79,7 @@ void BasicTileStore<Tile>::write(Index index, const Tile& tile) {
   const char* const bytes = reinterpret_cast<const char*>(&tile);
   for (std::size_t done = 0; done < sizeof(Tile);) {
     const ssize_t written =
-        ::pwrite(file_, bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
+        ::pwrite(file_.get(), bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) io::fail_to_write(result_, io::system_message(errno));
     done += static_cast<std::size_t>(written);
@@ -110,7 +92,7 @@ void BasicTileStore<Tile>::read(off_t place, Tile& tile) const {
   char* const bytes = reinterpret_cast<char*>(&tile);
   for (std::size_t done = 0; done < sizeof(Tile);) {
     const ssize_t got =
-        ::pread(file_, bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
+        ::pread(file_.get(), bytes + done, sizeof(Tile) - done, place + static_cast<off_t>(done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0)
       throw io::Error({.file = result_,

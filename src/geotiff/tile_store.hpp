@@ -12,6 +12,7 @@
 #include "geotiff/cell_range.hpp"
 #include "geotiff/layers_tile.hpp"
 #include "geotiff/mosaic_tile.hpp"
+#include "io/file_descriptor.hpp"
 
 namespace groundgrid::geotiff {
 
@@ -28,7 +29,7 @@ class BasicTileStore {
   /// `result` is the file to be: its folder holds the tiles too. Throws io::Error where it is not
   /// writable.
   explicit BasicTileStore(std::filesystem::path result);
-  ~BasicTileStore();
+  ~BasicTileStore() = default;
   BasicTileStore(const BasicTileStore&) = delete;
   BasicTileStore& operator=(const BasicTileStore&) = delete;
   BasicTileStore(BasicTileStore&&) = delete;
@@ -53,7 +54,7 @@ class BasicTileStore {
   void read(off_t place, Tile& tile) const;
 
   std::filesystem::path result_;
-  int file_ = -1;
+  io::FileDescriptor file_;
   std::map<Index, std::unique_ptr<Tile>> resident_;
   std::map<Index, off_t> places_;  ///< In the file; a tile keeps its place when it comes back.
 };

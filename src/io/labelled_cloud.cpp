@@ -47,7 +47,7 @@ PointCloud with_answers(const PointCloud& cloud, std::span<const std::uint32_t> 
 
 void write_labelled_cloud(const std::filesystem::path& path, ScanFormat format,
                           const PointCloud& cloud, std::span<const std::uint32_t> labels,
-                          std::span<const float> height_above_ground) {
+                          std::span<const float> height_above_ground, FileBatch* batch) {
   if (labels.size() != cloud.size() || height_above_ground.size() != cloud.size())
     throw std::invalid_argument(fmt::format("{} points, but {} labels and {} heights", cloud.size(),
                                             labels.size(), height_above_ground.size()));
@@ -55,9 +55,9 @@ void write_labelled_cloud(const std::filesystem::path& path, ScanFormat format,
     throw std::invalid_argument("labelled clouds are written as pcd or ply");
   const PointCloud labelled = with_answers(cloud, labels, height_above_ground);
   if (format == ScanFormat::pcd)
-    write_pcd(path, labelled);
+    write_pcd(path, labelled, batch);
   else
-    write_ply(path, labelled);
+    write_ply(path, labelled, batch);
 }
 
 }  // namespace groundgrid::io

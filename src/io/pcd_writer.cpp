@@ -11,9 +11,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "io/atomic_file.hpp"
 #include "io/text_records.hpp"
 
 namespace groundgrid::io {
@@ -70,7 +70,7 @@ std::vector<std::byte> compressed(const PointCloud& cloud) {
 
 }  // namespace
 
-void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {
+void write_pcd(const std::filesystem::path& path, const PointCloud& cloud, FileBatch* batch) {
   AtomicFile file(path);
   const std::vector<std::byte> packed = cloud.encoding == CloudEncoding::binary_compressed
                                             ? compressed(cloud)
@@ -85,7 +85,7 @@ void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {
     file.write(header(cloud, "binary"));
     file.write(cloud.data);
   }
-  file.commit();
+  commit(std::move(file), batch);
 }
 
 }  // namespace groundgrid::io

@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "io/atomic_file.hpp"
 #include "io/binary_records.hpp"
 #include "io/error.hpp"
 #include "io/text_records.hpp"
@@ -100,7 +100,7 @@ std::string header(const PointCloud& cloud) {
 
 }  // namespace
 
-void write_ply(const std::filesystem::path& path, const PointCloud& cloud) {
+void write_ply(const std::filesystem::path& path, const PointCloud& cloud, FileBatch* batch) {
   require_few_properties(path, cloud);
   AtomicFile file(path);
   PointCloud vertices = with_single_numbers(cloud);
@@ -112,7 +112,7 @@ void write_ply(const std::filesystem::path& path, const PointCloud& cloud) {
     if (vertices.encoding == CloudEncoding::binary_big_endian) swap_bytes(vertices);
     file.write(vertices.data);
   }
-  file.commit();
+  commit(std::move(file), batch);
 }
 
 }  // namespace groundgrid::io

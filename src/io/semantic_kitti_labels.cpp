@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <utility>
 
-#include "io/atomic_file.hpp"
 #include "io/error.hpp"
 #include "io/input_file.hpp"
 
@@ -26,10 +26,11 @@ void read_labels(const std::filesystem::path& path, const std::filesystem::path&
   file.read_into(labels, points);
 }
 
-void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels) {
+void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
+                  FileBatch* batch) {
   AtomicFile file(path);
   file.write(std::as_bytes(labels));
-  file.commit();
+  commit(std::move(file), batch);
 }
 
 }  // namespace groundgrid::io

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "groundgrid/label.hpp"
+#include "io/atomic_file.hpp"
 
 namespace groundgrid::io {
 
@@ -29,7 +30,9 @@ constexpr std::uint32_t semantic_kitti_label(Label label) {
 void read_labels(const std::filesystem::path& path, const std::filesystem::path& scan,
                  std::size_t points, std::vector<std::uint32_t>& labels);
 
-/// Writes a .label file in the same form, complete or not at all. Throws Error.
-void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels);
+/// Writes a .label file in the same form, complete or not at all; with a batch it has its
+/// name once that is committed. Throws Error.
+void write_labels(const std::filesystem::path& path, std::span<const std::uint32_t> labels,
+                  FileBatch* batch = nullptr);
 
 }  // namespace groundgrid::io

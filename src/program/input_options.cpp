@@ -32,8 +32,7 @@ std::string format_problem(const std::string& name) {
 void say_guessed_layouts(const io::ScanSequence& sequence) {
   std::set<std::string> said;
   for (const io::ScanFile& scan : sequence.scans)
-    if (scan.has_unusual_layout() &&
-        said.insert(io::name_of(scan.format)).second)
+    if (scan.has_unusual_layout() && said.insert(io::name_of(scan.format)).second)
       spdlog::info("{}: read as {} ({}), as its numbers tell; --format says otherwise",
                    scan.path.string(), io::name_of(scan.format), scan.format.layout.words());
 }
@@ -72,6 +71,10 @@ void InputOptions::add_to(CLI::App& command, const std::string& name,
 
 void InputOptions::exclude_poses(CLI::Option* other) {
   for (CLI::Option* option : pose_options_) other->excludes(option);
+}
+
+void InputOptions::add_files(InputFiles& inputs) const {
+  for (const fs::path& file : {path_, poses_, calibration_}) inputs.add(file);
 }
 
 std::vector<io::ScanSequence> InputOptions::find_sequences() const {

@@ -9,6 +9,7 @@
 
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
+#include "program/input_files.hpp"
 
 namespace groundgrid::program {
 
@@ -22,6 +23,8 @@ class InputOptions {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Empty where the sequences' own are used.
   [[nodiscard]] const std::filesystem::path& pose_file() const { return poses_; }
+  /// The files that are named: those of poses, and what is given as input where that is a file.
+  void add_files(InputFiles& inputs) const;
   [[nodiscard]] bool names_sequences() const { return !sequences_.empty(); }
 
   /// The sequences asked for. Throws io::Error where there are none, UsageError where flags do not

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "groundgrid/config.hpp"
+#include "program/input_files.hpp"
 
 namespace groundgrid::program {
 
@@ -22,6 +23,9 @@ class MethodOptions {
   /// The preset, changed by the parameter file, changed by the flags. Throws UsageError if a
   /// name is unknown or a value not allowed, io::Error if the file cannot be read.
   [[nodiscard]] Config config() const;
+
+  /// The parameter file, if there is one.
+  void add_files(InputFiles& inputs) const { inputs.add(file_); }
 
   [[nodiscard]] const std::string& preset() const { return preset_; }
   [[nodiscard]] bool single_scan() const { return single_scan_; }

@@ -157,6 +157,11 @@ void render_drive(const RenderDriveOptions& options) {
   options.picture.check();
   options.look.check();
   const io::ScanSequence sequence = only_sequence(options.input);
+  InputFiles inputs;
+  inputs.add(sequence);
+  options.input.add_files(inputs);
+  options.method.add_files(inputs);
+  inputs.keep(options.picture.output());
   DriveFilm(options, sequence).make();
 }
 

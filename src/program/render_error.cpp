@@ -84,6 +84,10 @@ std::string caption_of(const evaluation::TerrainFigures& figures) {
 
 void render_error(const RenderErrorOptions& options) {
   options.picture.check();
+  InputFiles inputs;
+  for (const fs::path& file : {options.map, options.reference}) inputs.add(file);
+  options.path.add_files(inputs);
+  inputs.keep(options.picture.output());
   const geotiff::HeightRaster map = geotiff::read_height_raster(options.map);
   std::vector<float> reference = resample(options, map.frame);
   const evaluation::TerrainFigures figures = evaluation::compare_terrain(

@@ -34,6 +34,10 @@ void PathOptions::add_to(CLI::App& command) {
       ->needs(path);
 }
 
+void PathOptions::add_files(InputFiles& inputs) const {
+  for (const fs::path& file : {poses_, calibration_}) inputs.add(file);
+}
+
 std::vector<rendering::MapPoint> PathOptions::read(const rendering::HeightGrid& map) const {
   std::vector<rendering::MapPoint> path;
   if (poses_.empty()) return path;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geotiff/height_raster.hpp"
+#include "program/input_files.hpp"
 #include "rendering/map_picture.hpp"
 
 namespace groundgrid::program {
@@ -14,6 +15,9 @@ class PathOptions {
  public:
   /// The object must stay where it is until parsing is over.
   void add_to(CLI::App& command);
+
+  /// The files that are named.
+  void add_files(InputFiles& inputs) const;
 
   /// The path in the frame of the terrain; empty where none is asked for. Throws io::Error where
   /// it cannot be read or no pose of it lies on the map.

@@ -77,6 +77,12 @@ void render_scan(const RenderScanOptions& options) {
   options.picture.check();
   options.look.check();
   const ChosenScan chosen = choose_scan(options.input, options.number);
+  InputFiles inputs;
+  inputs.add(chosen.sequence);
+  for (const fs::path& file : {options.labels, options.truth}) inputs.add(file);
+  options.input.add_files(inputs);
+  options.method.add_files(inputs);
+  inputs.keep(options.picture.output());
   const ScanPainter painter(options.look, options.picture.size_or(kUsualScanSize));
   const LabelledScan labelled = label_scan(options, chosen);
   std::vector<std::uint32_t> truth;

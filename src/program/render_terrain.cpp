@@ -105,6 +105,10 @@ rendering::Image draw_in_perspective(const RenderTerrainOptions& options,
 void render_terrain(const RenderTerrainOptions& options) {
   options.picture.check();
   options.view.check();
+  InputFiles inputs;
+  inputs.add(options.terrain);
+  options.path.add_files(inputs);
+  inputs.keep(options.picture.output());
   rendering::TerrainPicture picture = read_picture(options);
   rendering::write_png(options.picture.output(),
                        options.view.perspective() ? draw_in_perspective(options, std::move(picture))

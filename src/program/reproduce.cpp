@@ -21,6 +21,7 @@
 #include "io/path_checks.hpp"
 #include "io/scan_sequence.hpp"
 #include "io/semantic_kitti_labels.hpp"
+#include "program/input_files.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
 #include "program/label_file.hpp"
@@ -173,6 +174,9 @@ std::string text_of(const ReproduceOptions& options, const Reproduction& reprodu
 
 void reproduce(const ReproduceOptions& options) {
   const std::vector<io::ScanSequence> sequences = sequences_of_table(options);
+  InputFiles inputs;
+  for (const io::ScanSequence& sequence : sequences) inputs.add(sequence);
+  inputs.keep(options.markdown);
   // Opened first: that it cannot be written must not show after hours.
   std::optional<io::AtomicFile> page;
   if (!options.markdown.empty()) page.emplace(options.markdown);

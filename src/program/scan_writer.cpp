@@ -48,24 +48,24 @@ fs::path ScanWriter::cloud_path(const io::ScanFile& scan) const {
   return cloud_folder_ / fmt::format("{}.{}", scan.name, io::name_of(cloud_format(scan)));
 }
 
-void ScanWriter::check() const {
+void ScanWriter::check(const InputFiles& inputs) const {
   for (const io::ScanFile& scan : sequence_->scans) {
-    require_other_file(scan, label_path(scan));
+    inputs.keep(label_path(scan));
     if (!writes_clouds()) continue;
     const io::ScanFormat format = cloud_format(scan);
     if (format != io::ScanFormat::pcd && format != io::ScanFormat::ply)
       throw UsageError(
           fmt::format("{}: its format has no place for labels; use --clouds pcd or --clouds ply",
                       scan.path.string()));
-    require_other_file(scan, cloud_path(scan));
+    inputs.keep(cloud_path(scan));
   }
 }
 
-void ScanWriter::write(const io::ScanFile& scan, const ScanSlot& slot) const {
-  io::write_labels(label_path(scan), slot.labels);
+void ScanWriter::write(const io::ScanFile& scan, const ScanSlot& slot) {
+  io::write_labels(label_path(scan), slot.labels, &written_);
   if (!writes_clouds()) return;
   io::write_labelled_cloud(cloud_path(scan), cloud_format(scan), slot.cloud, slot.labels,
-                           slot.height_above_ground);
+                           slot.height_above_ground, &written_);
 }
 
 }  // namespace groundgrid::program

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <string>
 
+#include "io/atomic_file.hpp"
 #include "io/scan_format.hpp"
 #include "io/scan_sequence.hpp"
+#include "program/input_files.hpp"
 #include "program/scan_slot.hpp"
 
 namespace groundgrid::program {
@@ -24,9 +26,9 @@ class ScanWriter {
   ScanWriter(const std::filesystem::path& output, const io::ScanSequence& sequence,
              CloudOutput clouds);
 
-  /// Throws UsageError where a scan has no cloud format to be written in again, or would be
-  /// overwritten by what is written for it.
-  void check() const;
+  /// Throws UsageError where a scan has no cloud format to be written in again, or what is written
+  /// would replace one of the inputs.
+  void check(const InputFiles& inputs) const;
 
   /// Whether heights above the ground are written, too.
   [[nodiscard]] bool writes_clouds() const { return clouds_ != CloudOutput::none; }
@@ -34,8 +36,12 @@ class ScanWriter {
   /// Makes the folders. Throws io::Error.
   void make_folders() const;
 
-  /// Writes the files of one scan, each complete or not at all. Throws io::Error.
-  void write(const io::ScanFile& scan, const ScanSlot& slot) const;
+  /// Writes the files of one scan, each complete or not at all. They have their names some scans
+  /// later, or once finish() is called. Throws io::Error.
+  void write(const io::ScanFile& scan, const ScanSlot& slot);
+
+  /// Gives all that is written its name. Throws io::Error.
+  void finish() { written_.commit(); }
 
  private:
   [[nodiscard]] io::ScanFormat cloud_format(const io::ScanFile& scan) const;
@@ -46,6 +52,7 @@ class ScanWriter {
   std::filesystem::path label_folder_;
   std::filesystem::path cloud_folder_;
   CloudOutput clouds_;
+  io::FileBatch written_;
 };
 
 }  // namespace groundgrid::program

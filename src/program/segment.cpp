@@ -13,6 +13,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/error.hpp"
+#include "program/input_files.hpp"
 #include "program/json_text.hpp"
 #include "program/output_folder.hpp"
 #include "program/progress_bar.hpp"
@@ -27,6 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* kTiming = "timing.csv";
+constexpr const char* kRecord = "run.json";
 
 // A sequence and the poses to segment it with; none for single scans.
 struct Job {
@@ -52,8 +56,7 @@ class Segmentation {
                 .preset = options.method.preset(),
                 .single_scan = options.method.single_scan(),
                 .config = options.method.config(),
-                .threads = options.method.threads()},
-        timing_(options.output / "timing.csv") {}
+                .threads = options.method.threads()} {}
 
   void run() {
     options_.terrain.check();
@@ -64,10 +67,11 @@ class Segmentation {
                    options_.input.path().string());
     std::vector<Job> jobs = jobs_for(sequences);
     // What cannot be written must show before anything is touched.
-    for (const Job& job : jobs) check_outputs(job.sequence);
-    make_folder(options_.output);
+    check_outputs(sequences);
+    const OutputFolder folder(options_.output);
+    timing_.emplace(options_.output / kTiming);
     // A record of an earlier run must not vouch for the files of one that fails.
-    remove_file(options_.output / "run.json");
+    remove_file(options_.output / kRecord);
     try {
       segment_all(jobs);
     } catch (...) {
@@ -98,16 +102,23 @@ class Segmentation {
     return jobs;
   }
 
-  void check_outputs(const io::ScanSequence& sequence) const {
-    ScanWriter(options_.output, sequence, cloud_output_named(options_.clouds)).check();
-    if (options_.terrain.wanted())
-      TerrainOutput::check(options_.output, sequence, record_.single_scan);
+  void check_outputs(const std::vector<io::ScanSequence>& sequences) const {
+    InputFiles inputs;
+    options_.input.add_files(inputs);
+    options_.method.add_files(inputs);
+    for (const io::ScanSequence& sequence : sequences) inputs.add(sequence);
+    for (const char* const name : {kTiming, kRecord}) inputs.keep(options_.output / name);
+    for (const io::ScanSequence& sequence : sequences) {
+      ScanWriter(options_.output, sequence, cloud_output_named(options_.clouds)).check(inputs);
+      if (options_.terrain.wanted())
+        TerrainOutput::check(options_.output, sequence, record_.single_scan, inputs);
+    }
   }
 
   void segment_all(std::vector<Job>& jobs) {
     const Clock::time_point begin = Clock::now();
     ProgressBar progress(scans_in(jobs));
-    const RunContext context{options_, record_, timing_, progress};
+    const RunContext context{options_, record_, *timing_, progress};
     for (Job& job : jobs) SequenceRun(context, job.sequence, std::move(job.poses)).run();
     record_.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   }
@@ -115,14 +126,14 @@ class Segmentation {
   // After a failure: what went wrong first matters more than a second failure here.
   void keep_timing() const {
     try {
-      timing_.write();
+      timing_->write();
     } catch (const io::Error& error) {
       spdlog::warn("{}", error.what());
     }
   }
 
   void finish() const {
-    timing_.write();
+    timing_->write();
     if (record_.scans() == 0)
       throw io::Error({.file = options_.input.path(),
                        .expected = "at least one scan that can be segmented",
@@ -131,13 +142,13 @@ class Segmentation {
       spdlog::warn("{} scans were skipped; run.json lists them", record_.skipped());
     spdlog::info("{:.1f} scans a second, with reading and writing", record_.scans_per_second());
     const std::string text = to_text(to_json(record_));
-    io::write_text(options_.output / "run.json", text);
+    io::write_text(options_.output / kRecord, text);
     if (options_.json) print_result(text);
   }
 
   const SegmentOptions& options_;
   RunRecord record_;
-  TimingTable timing_;
+  std::optional<TimingTable> timing_;  ///< Read once no other run can change it.
 };
 
 }  // namespace

@@ -37,7 +37,13 @@ void SequenceRun::run() {
       .process = [this](const io::ScanFile& scan, ScanSlot& slot) { return process(scan, slot); },
       .write = [this](const io::ScanFile& scan, ScanSlot& slot) { writer_.write(scan, slot); },
       .done = [this](const io::ScanFile& scan, ScanSlot& slot) { note_done(scan, slot); }};
-  ScanPipeline().run(sequence_.scans, steps);
+  try {
+    ScanPipeline().run(sequence_.scans, steps);
+  } catch (...) {
+    keep_written();
+    throw;
+  }
+  writer_.finish();
   if (terrain_ && record_.scans > 0) finish_terrain();
   record_.notes = runner_.notes();
   announce();
@@ -64,6 +70,15 @@ void SequenceRun::note_done(const io::ScanFile& scan, const ScanSlot& slot) {
   record_.counts.add(slot.counts);
   context_.timing.add({record_.name, scan.name, slot.size(), slot.milliseconds});
   context_.progress.advance();
+}
+
+// After a failure: what went wrong first matters more than a second failure here.
+void SequenceRun::keep_written() {
+  try {
+    writer_.finish();
+  } catch (const io::Error& error) {
+    spdlog::warn("{}", error.what());
+  }
 }
 
 void SequenceRun::finish_terrain() {

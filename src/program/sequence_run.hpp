@@ -37,6 +37,7 @@ class SequenceRun {
  private:
   [[nodiscard]] bool process(const io::ScanFile& scan, ScanSlot& slot);
   void note_done(const io::ScanFile& scan, const ScanSlot& slot);
+  void keep_written();
   void finish_terrain();
   void announce() const;
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -16,8 +17,10 @@
 #include <vector>
 
 #include "io/atomic_file.hpp"
+#include "program/input_files.hpp"
 #include "program/interrupt.hpp"
 #include "program/json_text.hpp"
+#include "program/output_folder.hpp"
 #include "program/progress_bar.hpp"
 #include "program/usage_error.hpp"
 #include "program/version.hpp"
@@ -25,6 +28,7 @@
 #include "simulation/sensor_file.hpp"
 #include "simulation/simulation.hpp"
 #include "simulation/version.hpp"
+#include "simulation/writer.hpp"
 
 namespace groundgrid::program {
 namespace {
@@ -46,6 +50,10 @@ std::string sequence_name(const SimulateOptions& options, std::size_t sensor) {
 
 fs::path sequence_folder(const SimulateOptions& options, std::size_t sensor) {
   return options.output / "sequences" / sequence_name(options, sensor);
+}
+
+fs::path record_file(const SimulateOptions& options, std::size_t sensor) {
+  return sequence_folder(options, sensor) / "truth" / "drive.json";
 }
 
 simulation::Sensor find_sensor(const std::string& name) {
@@ -94,14 +102,31 @@ void write_record(const SimulateOptions& options, std::size_t index, std::size_t
       {"pose_noise_m", options.drive.pose_noise_m},
       {"pose_drift_m", options.drive.pose_drift_m},
       {"points", points}};
-  io::write_text(sequence_folder(options, index) / "truth" / "drive.json", to_text(json));
+  io::write_text(record_file(options, index), to_text(json));
+}
+
+// A file for --sensor may lie anywhere, and have other names too.
+void check_outputs(const SimulateOptions& options) {
+  InputFiles inputs;
+  for (const std::string& name : options.sensors) inputs.add(name);
+  for (std::size_t i = 0; i < options.sensors.size(); ++i) {
+    inputs.keep(record_file(options, i));
+    for (const fs::path& file : simulation::files_of_drive(sequence_folder(options, i),
+                                                           simulation::scans_of(options.drive, i)))
+      inputs.keep(file);
+  }
 }
 
 void simulate(const SimulateOptions& options) {
+  check_outputs(options);
   std::vector<fs::path> folders;
+  std::list<OutputFolder> locked_folders;
   std::size_t scans = 0;
   for (std::size_t i = 0; i < options.sensors.size(); ++i) {
     folders.push_back(sequence_folder(options, i));
+    locked_folders.emplace_back(folders.back());
+    // That of an earlier drive must not vouch for the files of one that fails.
+    remove_file(record_file(options, i));
     scans += simulation::scans_of(options.drive, i);
   }
   ProgressBar progress(scans);

@@ -132,13 +132,14 @@ TerrainOutput::TerrainOutput(fs::path output, const io::ScanSequence& sequence, 
 }
 
 void TerrainOutput::check(const fs::path& output, const io::ScanSequence& sequence,
-                          bool single_scans) {
-  if (!single_scans) return;
-  for (const io::ScanFile& scan : sequence.scans) {
-    const fs::path raster = raster_of(output / place_of(sequence, true), scan);
-    require_other_file(scan, raster);
-    require_other_file(scan, layers_beside(raster));
-  }
+                          bool single_scans, const InputFiles& inputs) {
+  const fs::path place = output / place_of(sequence, single_scans);
+  const auto keep = [&inputs](const fs::path& raster) {
+    inputs.keep(raster);
+    inputs.keep(layers_beside(raster));
+  };
+  if (!single_scans) return keep(place);
+  for (const io::ScanFile& scan : sequence.scans) keep(raster_of(place, scan));
 }
 
 void TerrainOutput::add(const io::ScanFile& scan, const TerrainView& terrain,

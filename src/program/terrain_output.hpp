@@ -12,6 +12,7 @@
 #include "groundgrid/terrain_layers.hpp"
 #include "groundgrid/terrain_view.hpp"
 #include "io/scan_sequence.hpp"
+#include "program/input_files.hpp"
 
 namespace groundgrid::program {
 
@@ -53,9 +54,9 @@ class TerrainOutput {
   TerrainOutput(std::filesystem::path output, const io::ScanSequence& sequence, bool single_scans,
                 const TerrainOptions& options);
 
-  /// Throws UsageError where the raster of a single scan would overwrite the scan.
+  /// Throws UsageError where a raster would replace one of the inputs.
   static void check(const std::filesystem::path& output, const io::ScanSequence& sequence,
-                    bool single_scans);
+                    bool single_scans, const InputFiles& inputs);
 
   /// Takes the map as it stands after the scan, and its layers where they are wanted. Throws
   /// io::Error.

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <span>
-#include <system_error>
+#include <string>
 #include <utility>
 
 #include "geotiff/height_file.hpp"
-#include "io/atomic_file.hpp"
-#include "io/error.hpp"
+#include "io/output_folder.hpp"
 #include "io/semantic_kitti_labels.hpp"
 #include "simulation/truth_rasters.hpp"
 
@@ -33,43 +32,58 @@ std::string numbers_of(const Eigen::Isometry3d& transform) {
   return text + "\n";
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-    throw io::Error({.file = folder,
-                     .expected = "a folder to write to",
-                     .got = error.message(),
-                     .remedy = "choose another place for the drive"});
-}
-
-void write_floats(const fs::path& path, std::span<const float> numbers) {
+void write_floats(const fs::path& path, std::span<const float> numbers, io::FileBatch& batch) {
   io::AtomicFile file(path);
   file.write(std::as_bytes(numbers));
-  file.commit();
+  batch.add(std::move(file));
+}
+
+fs::path points_file(const fs::path& folder, std::size_t scan) {
+  return folder / "velodyne" / fmt::format("{:06}.bin", scan);
+}
+fs::path labels_file(const fs::path& folder, std::size_t scan) {
+  return folder / "labels" / fmt::format("{:06}.label", scan);
+}
+fs::path heights_file(const fs::path& folder, std::size_t scan) {
+  return folder / "truth" / "height" / fmt::format("{:06}.f32", scan);
 }
 
 }  // namespace
 
+std::vector<fs::path> files_of_drive(const fs::path& folder, std::size_t scans) {
+  const fs::path truth = folder / "truth";
+  std::vector<fs::path> files{folder / "calib.txt", folder / "poses.txt",
+                              folder / "times.txt", truth / "terrain.tif",
+                              truth / "kerbs.tif",  truth / "vegetation.tif"};
+  for (std::size_t scan = 0; scan < scans; ++scan)
+    for (const auto& file : {points_file, labels_file, heights_file})
+      files.push_back(file(folder, scan));
+  return files;
+}
+
 SequenceWriter::SequenceWriter(fs::path folder) : folder_(std::move(folder)) {
-  for (const char* const name : {"velodyne", "labels", "truth/height"}) make_folder(folder_ / name);
+  for (const char* const name : {"velodyne", "labels", "truth", "truth/height"}) {
+    io::make_folder(folder_ / name);
+    io::remove_leftovers(folder_ / name);
+  }
   io::write_text(folder_ / "calib.txt", "Tr: " + numbers_of(T_camera_lidar()));
 }
 
 void SequenceWriter::add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor) {
-  const std::string name = fmt::format("{:06}", true_poses_.size());
+  const std::size_t number = true_poses_.size();
   if (true_poses_.empty()) first_place_ = scan.T_world_sensor.translation();
   const Eigen::Translation3d T_map_world(-first_place_);
   true_poses_.push_back(T_map_world * scan.T_world_sensor);
   const Eigen::Isometry3d T_map_sensor = T_map_world * T_world_sensor;
   poses_ += numbers_of(T_camera_lidar() * T_map_sensor * T_camera_lidar().inverse());
   times_ += fmt::format("{:.6e}\n", time_s);
-  write_floats(folder_ / "velodyne" / (name + ".bin"), scan.points);
-  io::write_labels(folder_ / "labels" / (name + ".label"), scan.labels);
-  write_floats(folder_ / "truth" / "height" / (name + ".f32"), scan.heights);
+  write_floats(points_file(folder_, number), scan.points, scans_written_);
+  io::write_labels(labels_file(folder_, number), scan.labels, &scans_written_);
+  write_floats(heights_file(folder_, number), scan.heights, scans_written_);
 }
 
-void SequenceWriter::finish(const World& world, TileRunner& runner) const {
+void SequenceWriter::finish(const World& world, TileRunner& runner) {
+  scans_written_.commit();
   io::write_text(folder_ / "poses.txt", poses_);
   io::write_text(folder_ / "times.txt", times_);
   const geotiff::RasterGrid grid = grid_around(true_poses_);

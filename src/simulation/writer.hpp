@@ -6,9 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "io/atomic_file.hpp"
 #include "simulation/scanner.hpp"
 
 namespace groundgrid::simulation {
+
+/// The files that a SequenceWriter writes for that many scans.
+std::vector<std::filesystem::path> files_of_drive(const std::filesystem::path& folder,
+                                                  std::size_t scans);
 
 /// Writes one sequence in SemanticKITTI layout, with the truth beside it:
 ///   velodyne/NNNNNN.bin, labels/NNNNNN.label, calib.txt, poses.txt, times.txt
@@ -21,18 +26,21 @@ namespace groundgrid::simulation {
 /// Every call throws io::Error where it cannot write.
 class SequenceWriter {
  public:
-  /// Makes the folders. `folder` is that of the sequence.
+  /// Makes the folders and takes away what killed runs left in them. `folder` is that of the
+  /// sequence.
   explicit SequenceWriter(std::filesystem::path folder);
 
-  /// Writes the next scan. Its pose goes to poses.txt as if it were known to be `T_world_sensor`.
+  /// Writes the next scan, whose files have their names some scans later. Its pose goes to
+  /// poses.txt as if it were known to be `T_world_sensor`.
   void add(const Scan& scan, double time_s, const Eigen::Isometry3d& T_world_sensor);
 
   /// Writes what is known only at the end: poses, times and rasters.
-  void finish(const World& world, TileRunner& runner) const;
+  void finish(const World& world, TileRunner& runner);
 
  private:
   std::filesystem::path folder_;
   std::vector<Eigen::Isometry3d> true_poses_;
+  io::FileBatch scans_written_;
   std::string poses_;
   std::string times_;
   Eigen::Vector3d first_place_ = Eigen::Vector3d::Zero();  ///< Of the sensor, in the world.

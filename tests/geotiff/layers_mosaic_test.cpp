@@ -8,8 +8,10 @@
 
 #include "geotiff/terrain_raster.hpp"
 #include "io/error.hpp"
+#include "io/temporary_folder.hpp"
 #include "read_raster.hpp"
 #include "small_map.hpp"
+#include "support/limited_file_size.hpp"
 
 namespace groundgrid::geotiff {
 namespace {
@@ -47,6 +49,18 @@ void set_highest(SmallMap& map, int column, int row, double height) {
   points.count = 1;
   points.min = points.max =
       static_cast<std::int32_t>(std::lround(height / CellStatistics::kStep_m));
+}
+
+TEST_F(LayersOfADrive, LeaveTheOldFileWhereTheDiskIsFull) {
+  test::write_file(path_, "old");
+  LayersMosaic mosaic(path_, {});
+  add(mosaic, known_map(9, 1.0, 1.0F));
+  {
+    const test::LimitedFileSize limit(100);
+    EXPECT_THROW(mosaic.finish(), io::Error);
+  }
+  EXPECT_EQ(test::read_file(path_), "old");
+  EXPECT_EQ(test::files_below(path_.parent_path()), (test::Names{"layers.tif"}));
 }
 
 TEST_F(LayersOfADrive, HaveNamedBandsInTheirPlace) {

@@ -1,9 +1,12 @@
 // What a mosaic leaves on disk: nothing before its end, nothing half, and the same bytes each time.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "geotiff/terrain_file.hpp"
 #include "geotiff/terrain_mosaic.hpp"
 #include "io/error.hpp"
 #include "io/temporary_folder.hpp"
@@ -50,6 +53,31 @@ TEST(TerrainMosaicFile, GrowsFurtherAfterItWasWritten) {
   mosaic.finish();
   EXPECT_EQ(read_raster(folder / "terrain.tif").columns, 15);
   EXPECT_EQ(files_below(folder.path()), (Names{"terrain.tif"}));
+}
+
+// As two containers on one folder have it, whose processes have the same number.
+TEST(TerrainMosaicFile, DoesNotMixWithAnotherOfTheSameNameAtTheSameTime) {
+  const test::TemporaryFolder folder;
+  const RasterGrid grid{0.0, 0.0, 1.0, 600, 600};
+  const auto value = [](float number) {
+    TerrainBlock block;
+    std::fill_n(block.band(0), TerrainBlock::kSide * TerrainBlock::kSide, number);
+    return block;
+  };
+  TerrainFile one(folder / "a.tif", grid, {});
+  TerrainFile other(folder / "a.tif", grid, {});
+  for (int row = 0; row < one.block_rows(); ++row)
+    for (int column = 0; column < one.block_columns(); ++column) {
+      TerrainBlock ones = value(1.0F);
+      TerrainBlock twos = value(2.0F);
+      one.write(column, row, ones);
+      other.write(column, row, twos);
+    }
+  one.commit();
+  EXPECT_EQ(read_raster(folder / "a.tif").bands[0].pixels, std::vector<float>(600 * 600, 1.0F));
+  other.commit();
+  EXPECT_EQ(read_raster(folder / "a.tif").bands[0].pixels, std::vector<float>(600 * 600, 2.0F));
+  EXPECT_EQ(files_below(folder.path()), (Names{"a.tif"}));
 }
 
 TEST(TerrainMosaicFile, MayBeMoved) {

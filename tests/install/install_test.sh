@@ -50,6 +50,8 @@ expect_single_scan() {
 tree() {
   install_and_move "$BUILD" "$tree"
   local named
+  named=$(ls "$tree" | grep -vxE 'bin|include|lib|share') &&
+    fail "neither library nor program: $named"
   named=$(grep -rlF -e "$BUILD" -e "$SOURCE" -e /opt/groundgrid "$tree" --include='*.cmake' \
     --include='*.pc' --include='*.hpp') || return 0
   fail "these files know where they were built or installed:"$'\n'"$named"

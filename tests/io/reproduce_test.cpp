@@ -67,6 +67,15 @@ TEST_F(Reproduce, HasTheFiguresOfEvaluate) {
   }
 }
 
+TEST_F(Reproduce, KeepsTheFilesOfTheDataset) {
+  const fs::path poses = dataset.folder / "sequences/00/poses.txt";
+  const std::string before = test::read_file(poses);
+  const ProgramRun run = reproduce("--output-markdown " + shell_word(poses));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(contains(run.words, "poses.txt: would be overwritten"));
+  EXPECT_EQ(test::read_file(poses), before);
+}
+
 TEST_F(Reproduce, WritesAPage) {
   const ProgramRun run =
       reproduce("--sequence 10 --output-markdown " + shell_word(pages / "table.md"));

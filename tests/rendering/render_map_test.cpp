@@ -48,6 +48,27 @@ TEST_F(RenderMap, TerrainTakesItsColoursFromTheHeightsAskedFor) {
   expect_failure(render(terrain + "--heights 5,1"), 2, "--heights");
 }
 
+TEST_F(RenderMap, KeepsItsInputsWhateverNameTheyHave) {
+  const std::filesystem::path map = raster("t.tif");
+  const std::filesystem::path reference = raster("r.tif", 1.0);
+  const std::filesystem::path path = poses(110.0, 195.0);
+  const std::filesystem::path calibration = folder / "calib.txt";
+  write_file(calibration, "Tr: 1 0 0 0 0 1 0 0 0 0 1 0\n");
+  const std::string more =
+      " --path " + shell_word(path) + " --calibration " + shell_word(calibration);
+  const std::string terrain = "terrain " + shell_word(map) + more;
+  const std::string error = "error " + shell_word(map) + " " + shell_word(reference) + more;
+  const auto expect_kept = [&](const std::filesystem::path& input, const std::string& command) {
+    std::filesystem::create_hard_link(input, output());
+    const std::string before = read_file(input);
+    expect_failure(render(command), 2, input.string() + ": would be overwritten as");
+    EXPECT_EQ(read_file(output()), before) << command;
+    std::filesystem::remove(output());
+  };
+  for (const auto& input : {map, path, calibration}) expect_kept(input, terrain);
+  for (const auto& input : {map, reference, path, calibration}) expect_kept(input, error);
+}
+
 TEST_F(RenderMap, TerrainShowsThePathAndRefusesOneElsewhere) {
   const std::string terrain = "terrain " + shell_word(raster("t.tif"));
   ASSERT_EQ(render(terrain).exit_code, 0);

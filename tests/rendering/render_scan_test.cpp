@@ -105,6 +105,32 @@ TEST_F(RenderScan, LeavesNothingBesideThePicture) {
   EXPECT_EQ(files_below(folder.path()), (Names{"picture.png"}));
 }
 
+TEST_F(RenderScan, KeepsItsInputsWhateverNameTheyHave) {
+  dataset.add_sequence("00", 2);
+  const std::filesystem::path poses = folder / "poses.txt";
+  const std::filesystem::path calibration = folder / "calib.txt";
+  const std::filesystem::path config = folder / "config.toml";
+  const std::filesystem::path labels = folder / "a.label";
+  std::filesystem::copy_file(dataset.folder / "sequences/00/poses.txt", poses);
+  std::filesystem::copy_file(dataset.folder / "sequences/00/calib.txt", calibration);
+  std::filesystem::copy_file(dataset.label_file("00", 1), labels);
+  write_file(config, "max_step_m = 0.1\n");
+  const std::string files = " --poses " + shell_word(poses) + " --calibration " +
+                            shell_word(calibration) + " --config " + shell_word(config);
+  const auto expect_kept = [&](const std::filesystem::path& input, const std::string& more) {
+    std::filesystem::create_hard_link(input, output());
+    const std::string before = read_file(input);
+    expect_failure(render_scan("--scan 1 " + more), 2, input.string() + ": would be overwritten");
+    EXPECT_EQ(read_file(output()), before) << more;
+    std::filesystem::remove(output());
+  };
+  for (const auto& input : {poses, calibration, config}) expect_kept(input, files);
+  for (const auto& input : {dataset.scan_file("00", 0), dataset.label_file("00", 0)})
+    expect_kept(input, "");
+  expect_kept(labels, "--labels " + shell_word(labels));
+  expect_kept(labels, "--errors --truth " + shell_word(labels));
+}
+
 TEST_F(RenderScan, AsksWhichScanAndSequence) {
   dataset.add_sequence("00", 2);
   expect_failure(render_scan(""), 2, "choose one with --scan");

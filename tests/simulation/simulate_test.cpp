@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "evaluation/semantic_kitti_classes.hpp"
+#include "io/hidden_file.hpp"
+#include "io/output_folder.hpp"
 #include "io/scan_poses.hpp"
 #include "io/scan_sequence.hpp"
 #include "read_raster.hpp"
@@ -350,6 +352,53 @@ TEST(Simulate, SaysWhatIsWrongWithASensorFile) {
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_TRUE(test::contains(run.words, "line 2")) << run.words;
   EXPECT_FALSE(fs::exists(out / "drive"));
+}
+
+TEST(Simulate, KeepsASensorFileThatHasTheNameOfAnOutput) {
+  const TemporaryFolder out;
+  for (const char* const name : {"calib.txt", "truth/drive.json", "velodyne/000001.bin"}) {
+    const fs::path sensor = out / "sensor.toml";
+    test::write_file(sensor, "like = \"vlp-16\"\n");
+    fs::create_directories((out / "sequences/00" / name).parent_path());
+    fs::create_hard_link(sensor, out / "sequences/00" / name);
+    const test::Names before = test::files_below(out.path());
+    const test::ProgramRun run =
+        simulate(out.path(), "urban --scans 2 --sensor " + test::shell_word(sensor));
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_TRUE(test::contains(run.words, "sensor.toml: would be overwritten as")) << name;
+    EXPECT_EQ(test::files_below(out.path()), before);
+    fs::remove(out / "sequences/00" / name);
+  }
+}
+
+TEST(Simulate, RefusesASequenceThatAnotherRunWrites) {
+  const TemporaryFolder out;
+  test::write_file(out / "sequences/00/truth/drive.json", "that of another run");
+  const io::FolderLock other(out / "sequences/00");
+  const test::ProgramRun run = simulate(out.path(), "urban --scans 1 --sensor vlp-16");
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_TRUE(test::contains(run.words, "sequences/00: expected a folder that no other run"));
+  EXPECT_EQ(read_file(out / "sequences/00/truth/drive.json"), "that of another run");
+}
+
+// It marks a whole drive, which the next one is not before its end.
+TEST(Simulate, TakesAwayTheRecordOfAnEarlierDriveFirst) {
+  const TemporaryFolder out;
+  test::write_file(out / "sequences/00/truth/drive.json", "of an earlier drive");
+  test::write_file(out / "sequences/00/velodyne/000000.bin/file", "in the way");
+  EXPECT_EQ(simulate(out.path(), "urban --scans 1 --sensor vlp-16").exit_code, 1);
+  EXPECT_FALSE(fs::exists(out / "sequences/00/truth/drive.json"));
+}
+
+TEST(Simulate, RemovesWhatAKilledRunLeft) {
+  const TemporaryFolder out;
+  const std::string flags = "urban --scans 1 --sensor vlp-16";
+  ASSERT_EQ(simulate(out.path(), flags).exit_code, 0);
+  const test::Names whole = test::files_below(out.path());
+  for (const char* const below : {"", "velodyne", "labels", "truth", "truth/height"})
+    test::write_file(out / "sequences/00" / below / io::hidden_name(), "half");
+  ASSERT_EQ(simulate(out.path(), flags).exit_code, 0);
+  EXPECT_EQ(test::files_below(out.path()), whole);
 }
 
 TEST(Simulate, NamesWhatItDoesNotKnow) {

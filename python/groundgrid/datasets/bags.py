@@ -131,6 +131,13 @@ class BagDataset:
                 own = self._read_frames(recording, odometry)
                 self._check_frames(recording, odometry, own)
 
+    @property
+    def files(self) -> list[Path]:
+        """Those of the recording."""
+        if not self._path.is_dir():
+            return [self._path]
+        return [each for each in self._path.iterdir() if each.suffix in (".db3", ".mcap", ".yaml")]
+
     @contextmanager
     def reader(self) -> Iterator[Recording]:
         """The whole recording; what rosbags raises over it is ValueError."""

@@ -58,6 +58,12 @@ class FileDataset:
         return [pathlib.Path(scan.path) for scan in self._sequence.scans]
 
     @property
+    def beside(self) -> list[pathlib.Path]:
+        """Those of a dataset beside the scans, whether or not they are there: poses, calibration,
+        times, labels."""
+        return [pathlib.Path(file) for file in self._sequence.beside]
+
+    @property
     def name(self) -> str:
         """Of the sequence; empty outside of a dataset."""
         return self._sequence.name

@@ -98,8 +98,13 @@ def write_las(path: Path, scan: Scan, result: ScanResult, source: Path | None) -
         las.add_extra_dim(laspy.ExtraBytesParams("height_above_ground", "float32", "metres"))
     las.classification = classes
     las.height_above_ground = heights
-    with hidden_file(path) as hidden:
-        las.write(hidden)
+    lazrs = require("lazrs", "geo", "writing LAZ")
+    try:
+        # To a path laspy writes by its ending, which the hidden one has not.
+        with hidden_file(path) as hidden, hidden.open("wb+") as file:
+            las.write(file, do_compress=path.suffix == ".laz")
+    except (laspy.LaspyException, lazrs.LazrsError, OSError) as error:
+        raise OSError(f"{path}: cannot be written: {error}") from error
 
 
 def map_places(scan: Scan) -> Places:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import sys
-import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,6 +18,7 @@ from ..datasets.cloud_messages import CLOUD, CLOUD_FIELD
 from ..datasets.extras import require
 from ..datasets.pointcloud2 import TYPES
 from ..evaluation import to_semantic_kitti
+from ..output_files import hidden_folder
 from .clouds import records_of
 
 SUFFIX = "/ground_grid"
@@ -133,16 +131,11 @@ def labelled_bag(dataset: BagDataset, path: Path) -> Iterator[LabelledBag]:
         raise FileExistsError(f"{path}: expected no recording of that name; take it away first")
     with dataset.reader() as recording:
         check_unlabelled(recording, dataset.topic)
-        folder = Path(tempfile.mkdtemp(prefix=f".{path.name}.", dir=path.parent))
-        try:
-            hidden = folder / path.name
+        with hidden_folder(path) as hidden:
             with new_writer(recording, hidden) as writer:
                 bag = LabelledBag(recording, writer, dataset.topic)
                 yield bag
                 bag.finish()
-            os.replace(hidden, path)
-        finally:
-            shutil.rmtree(folder, ignore_errors=True)
 
 
 def check_unlabelled(recording: Recording, topic: str) -> None:

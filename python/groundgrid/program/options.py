@@ -94,16 +94,23 @@ def config_of(options: argparse.Namespace, **more: Any) -> Config:
 
 
 class Inputs:
-    """The files that are read, which nothing that is written may replace."""
+    """The files that are read, which nothing that is written may replace: scans, recordings, and
+    those that options name."""
 
-    def __init__(self, dataset: Dataset, path: Path) -> None:
-        files = [path, *getattr(dataset, "files", ())]
+    def __init__(self, dataset: Dataset, options: argparse.Namespace) -> None:
+        named = [options.input, options.config, options.poses, options.calibration,
+                 options.metadata]
+        # Where the metadata of an Ouster is found that are not named.
+        named.append(options.input.with_suffix(".json"))
+        files = [Path(file) for file in named if file is not None]
+        files += [*getattr(dataset, "files", ()), *getattr(dataset, "beside", ())]
         self._known = {identity(file) for file in files if file.exists()}
 
     def keep(self, output: Path) -> None:
         """Raises ValueError where the output would take the place of one."""
         if output.exists() and identity(output) in self._known:
-            raise ValueError(f"{output}: expected another file for --output than the input")
+            raise ValueError(f"{output}: expected another file for --output than the input, which "
+                             "it would replace")
 
 
 def identity(file: Path) -> tuple[int, int]:

@@ -17,7 +17,7 @@ from .. import __version__
 from .._core import Config, GroundGrid, Label, ScanResult, write_labels
 from ..datasets import BagDataset, Dataset, FileDataset, Scan
 from ..evaluation import to_semantic_kitti
-from ..output_files import hidden_file
+from ..output_files import clean_folder, hidden_file, locked_folder, remove_file
 from ..rasters import TerrainMosaic, checked_crs
 from .clouds import source_of, write_las, write_pcl
 from .labelled_bag import LabelledBag, labelled_bag
@@ -59,16 +59,18 @@ def run(options: argparse.Namespace) -> None:
         raise ValueError(f"--bag: expected a recording, got {options.input}")
     config = config_of(options)
     folder = place_of(dataset, options.output)
-    record = options.output / "run.json"
-    options.output.mkdir(parents=True, exist_ok=True)
-    # What it marks as complete is not yet there.
-    record.unlink(missing_ok=True)
-    with ExitStack() as stack:
-        output = Output(dataset, folder, options, stack)
-        summary = segment(dataset, config, output, options)
-    summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
-    with hidden_file(record) as hidden:
-        hidden.write_text(json.dumps(summary, indent=2) + "\n")
+    inputs = Inputs(dataset, options)
+    for each in (options.output / "run.json", folder / "terrain.tif"):
+        inputs.keep(each)
+    with locked_folder(options.output):
+        # What it marks as complete is not yet there.
+        remove_file(options.output / "run.json")
+        with ExitStack() as stack:
+            output = Output(dataset, folder, inputs, options, stack)
+            summary = segment(dataset, config, output, options)
+        summary |= {"version": __version__, "input": str(options.input), "config": config.to_dict()}
+        with hidden_file(options.output / "run.json") as hidden:
+            hidden.write_text(json.dumps(summary, indent=2) + "\n")
     counts, scans = summary["counts"], summary["scans"]
     shares = ", ".join(f"{name} {100 * count / max(1, sum(counts.values())):.1f} %"
                        for name, count in counts.items())
@@ -136,15 +138,16 @@ class Output:
     """Everything that is written of a run but its record."""
 
     def __init__(
-        self, dataset: Dataset, folder: Path, options: argparse.Namespace, stack: ExitStack
+        self, dataset: Dataset, folder: Path, inputs: Inputs, options: argparse.Namespace,
+        stack: ExitStack,
     ) -> None:
         self._dataset, self._clouds = dataset, options.clouds
         self._is_sequence = folder != options.output
         self._labels = folder / "predictions" if self._is_sequence else folder
         self._folder = folder / "clouds" if self._is_sequence else folder
-        self._input, self._inputs = options.input.resolve(), Inputs(dataset, options.input)
+        self._input, self._inputs = options.input.resolve(), inputs
         for each in (folder, self._labels, *([self._folder] if self._clouds else [])):
-            each.mkdir(parents=True, exist_ok=True)
+            clean_folder(each)
         self._terrains = folder if options.terrain else None
         self._crs = options.crs
         if options.terrain:
@@ -155,10 +158,13 @@ class Output:
         if options.bag and isinstance(dataset, BagDataset):
             name = options.input.stem + "_labelled"
             ending = ".bag" if options.input.suffix == ".bag" else ""
+            inputs.keep(folder / (name + ending))
             self._bag = stack.enter_context(labelled_bag(dataset, folder / (name + ending)))
 
     def add(self, number: int, scan: Scan, result: ScanResult) -> None:
-        write_labels(self._labels / f"{scan.name}.label", to_semantic_kitti(result.labels))
+        labels = self._labels / f"{scan.name}.label"
+        self._inputs.keep(labels)
+        write_labels(labels, to_semantic_kitti(result.labels))
         for ending in self._clouds:
             path = self._folder / f"{scan.name}.{ending}"
             if self._input == path.resolve().parent:
@@ -180,7 +186,9 @@ class Output:
                 self._drive = TerrainMosaic(self._terrains / "terrain.tif", self._crs)
             self._drive.add(grid)
             return
-        lone = TerrainMosaic(self._terrains / f"{name}.tif", self._crs)
+        path = self._terrains / f"{name}.tif"
+        self._inputs.keep(path)
+        lone = TerrainMosaic(path, self._crs)
         lone.add(grid)
         if not lone.empty:
             lone.finish()

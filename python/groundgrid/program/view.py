@@ -34,7 +34,7 @@ def add_to(commands: Any) -> None:
 def view(options: argparse.Namespace) -> None:
     output = options.output or Path(options.input.resolve().stem + ".rrd")
     dataset = open_input(options)
-    Inputs(dataset, options.input).keep(output)
+    Inputs(dataset, options).keep(output)
     config = config_of(options)
     grid = GroundGrid(config, threads=options.threads)
     count = 0

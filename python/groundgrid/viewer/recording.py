@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
-from contextlib import ExitStack
+import threading
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -23,6 +25,34 @@ from .terrain_mesh import mesh_of
 # Of the screen, so that near points do not hide what is behind them.
 POINT_RADIUS = 1.0
 Matrix = npt.NDArray[np.float64]
+
+
+@contextmanager
+def pipe_to(hidden: Path, final: Path) -> Iterator[str]:
+    """A path to write to in place of the hidden one. Rerun waits for ever once it cannot write, which
+    into a pipe it always can. Raises OSError at the end, with the file to be, where the disk is full.
+    """
+    reading, writing = os.pipe()
+    problems: list[OSError] = []
+
+    def copy() -> None:
+        with open(reading, "rb", buffering=0) as source, hidden.open("wb", buffering=0) as file:
+            while block := source.read(1 << 16):
+                try:
+                    while block and not problems:
+                        block = block[file.write(block):]
+                except OSError as error:
+                    problems.append(error)
+
+    thread = threading.Thread(target=copy)
+    thread.start()
+    try:
+        yield f"/proc/self/fd/{writing}"
+    finally:
+        os.close(writing)
+        thread.join()
+    if problems:
+        raise OSError(f"{final}: cannot be written: {problems[0]}") from problems[0]
 
 
 class Recording:
@@ -56,9 +86,10 @@ class Recording:
 
     def __enter__(self) -> Recording:
         hidden = self._stack.enter_context(hidden_file(self._path))
+        pipe = self._stack.enter_context(pipe_to(hidden, self._path))
         self._stream = self._rerun.RecordingStream("groundgrid")
         self._stack.callback(self._close)
-        self._stream.save(hidden)
+        self._stream.save(pipe)
         self._stream.send_recording_name(self._path.stem)
         self._log("/world", self._rerun.ViewCoordinates.RIGHT_HAND_Z_UP, static=True)
         return self
@@ -70,8 +101,10 @@ class Recording:
         traceback: TracebackType | None,
     ) -> None:
         if kind is None:
-            self._add_path()
-        self._stack.__exit__(kind, error, traceback)
+            with self._stack:
+                self._add_path()
+        else:
+            self._stack.__exit__(kind, error, traceback)
 
     def _close(self) -> None:
         self._stream.flush()
