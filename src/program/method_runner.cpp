@@ -18,6 +18,7 @@
 #include "io/semantic_kitti_labels.hpp"
 #include "program/pose_frames.hpp"
 #include "program/scan_reading.hpp"
+#include "program/scan_summary.hpp"
 
 namespace groundgrid::program {
 namespace {
@@ -110,6 +111,17 @@ GroundGrid& MethodRunner::grid_for(const io::ScanFile& scan) {
   return *lone_grid_;
 }
 
+// What cannot be right shows in the first scan. It takes some milliseconds to see, so not in each.
+void MethodRunner::warn_of_first(const io::ScanFile& scan, const ScanSlot& slot) {
+  if (std::exchange(has_seen_first_, true)) return;
+  const Config& config = grid_.config();
+  ScanSummary summary = summary_of(scan, slot, config.map.extent_m);
+  summary.viewpoint_remark.clear();
+  if (config.vehicle.sensor_height_m) summary.sensor_height_m = config.vehicle.sensor_height_m;
+  for (const std::string& remark : summary.remarks())
+    spdlog::warn("{}: {}", scan.path.string(), remark);
+}
+
 void MethodRunner::warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud) {
   const std::string remark = has_warned_of_viewpoint_ ? "" : viewpoint_remark(cloud);
   if (remark.empty()) return;
@@ -119,6 +131,7 @@ void MethodRunner::warn_of_viewpoint(const io::ScanFile& scan, const io::PointCl
 
 void MethodRunner::process(const io::ScanFile& scan, ScanSlot& slot) {
   if (slot.problem) std::rethrow_exception(std::exchange(slot.problem, nullptr));
+  warn_of_first(scan, slot);
   const Eigen::Isometry3d T_map_base = pose(scan);
   GroundGrid& grid = grid_for(scan);
   if (!poses_ || is_lone(scan)) grid.reset();

@@ -64,6 +64,7 @@ class MethodRunner {
   [[nodiscard]] Eigen::Isometry3d pose(const io::ScanFile& scan) const;
   GroundGrid& grid_for(const io::ScanFile& scan);
   /// Once, since all scans of a sensor have the same one or each has another.
+  void warn_of_first(const io::ScanFile& scan, const ScanSlot& slot);
   void warn_of_viewpoint(const io::ScanFile& scan, const io::PointCloud& cloud);
 
   int threads_;
@@ -76,6 +77,7 @@ class MethodRunner {
   TraversabilityLimits limits_;
   std::optional<TerrainLayers> layers_;
   bool keeps_heights_ = false;
+  bool has_seen_first_ = false;
   bool has_warned_of_viewpoint_ = false;
 };
 

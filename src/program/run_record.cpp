@@ -52,6 +52,13 @@ std::size_t RunRecord::scans() const {
   return scans;
 }
 
+std::size_t RunRecord::labelled() const {
+  std::size_t labelled = 0;
+  for (const SequenceRecord& sequence : sequences)
+    labelled += sequence.counts.points() - sequence.counts.unknown;
+  return labelled;
+}
+
 double RunRecord::scans_per_second() const {
   return seconds > 0.0 ? static_cast<double>(scans()) / seconds : 0.0;
 }

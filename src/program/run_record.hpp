@@ -54,6 +54,8 @@ struct RunRecord {
 
   /// Segmented scans.
   [[nodiscard]] std::size_t scans() const;
+  /// Points with another label than unknown.
+  [[nodiscard]] std::size_t labelled() const;
   /// Segmented scans a second, reading and writing included.
   [[nodiscard]] double scans_per_second() const;
   /// Skipped scans, those of skipped sequences among them.

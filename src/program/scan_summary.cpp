@@ -17,6 +17,8 @@ using Json = nlohmann::ordered_json;
 // A sensor's ground is where many points lie at one height: this close to it, this near.
 constexpr float kLevelBand_m = 0.2F;
 constexpr float kLevelReach_m = 20.0F;
+// Half of a scan's points nearer than this: no vehicle is so small.
+constexpr double kNear_m = 0.2;
 
 FieldSummary field_summary(const io::PointCloud& cloud, const io::PointField& field) {
   FieldSummary summary{field};
@@ -32,7 +34,7 @@ FieldSummary field_summary(const io::PointCloud& cloud, const io::PointField& fi
 // Adds what the coordinates alone tell.
 void add_geometry(ScanSummary& summary, const std::vector<float>& xyz) {
   std::vector<double> ranges;
-  const double reach = Config{}.map.extent_m / 2.0;
+  const double reach = summary.extent_m / 2.0;
   for (std::size_t i = 0; i < xyz.size(); i += 3) {
     const auto x = static_cast<double>(xyz[i]);
     const auto y = static_cast<double>(xyz[i + 1]);
@@ -47,7 +49,9 @@ void add_geometry(ScanSummary& summary, const std::vector<float>& xyz) {
       const double elevation = std::asin(z / range) * 180.0 / std::numbers::pi;
       summary.least_elevation_deg = std::fmin(summary.least_elevation_deg, elevation);
       summary.greatest_elevation_deg = std::fmax(summary.greatest_elevation_deg, elevation);
-      if (std::abs(x) >= reach || std::abs(y) >= reach) ++summary.outside_map;
+      const double away = std::max(std::abs(x), std::abs(y));
+      if (away >= reach) ++summary.outside_map;
+      summary.extent_for_all_m = std::max(summary.extent_for_all_m, 2.0 * away);
     }
   }
   std::sort(ranges.begin(), ranges.end());
@@ -125,14 +129,15 @@ std::string field_text(const FieldSummary& summary) {
 
 }  // namespace
 
-ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot) {
+ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot, double extent_m) {
   const io::PointCloud& cloud = slot.cloud;
   ScanSummary summary{.file = scan,
                       .encoding = cloud.encoding,
                       .width = cloud.width,
                       .height = cloud.height,
                       .points = cloud.size(),
-                      .surplus_bytes = cloud.surplus_bytes};
+                      .surplus_bytes = cloud.surplus_bytes,
+                      .extent_m = extent_m};
   for (const io::PointField& field : cloud.fields)
     summary.fields.push_back(field_summary(cloud, field));
   summary.viewpoint_remark = viewpoint_remark(cloud);
@@ -167,6 +172,15 @@ std::vector<std::string> ScanSummary::remarks() const {
     remarks.emplace_back(
         "All points are outside of the map around the LiDAR: coordinates must be metres in the "
         "LiDAR's own frame, not in a map's");
+  else if (2 * outside_map > usable)
+    remarks.push_back(fmt::format(
+        "{} of {} points are outside of the map around the LiDAR, {} m square, and get no label: "
+        "are coordinates metres? Then --extent-m {:.0f} covers all",
+        outside_map, usable, extent_m, std::ceil(extent_for_all_m + 1.0)));
+  if (median_range_m < kNear_m)
+    remarks.push_back(fmt::format(
+        "Half of the points are nearer than {:.2g} m: are coordinates metres, not kilometres?",
+        median_range_m));
   return remarks;
 }
 
@@ -187,7 +201,7 @@ std::string to_text(const ScanSummary& s) {
   }
   if (s.outside_map > 0)
     text += fmt::format("    {} points are outside of the default map ({} m square)\n",
-                        s.outside_map, Config{}.map.extent_m);
+                        s.outside_map, s.extent_m);
   if (s.sensor_height_m)
     text += fmt::format("    LiDAR {:.2f} m above the ground, estimated\n", *s.sensor_height_m);
   for (const std::string& remark : s.remarks()) text += fmt::format("    ! {}\n", remark);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "groundgrid/config.hpp"
 #include "io/point_cloud.hpp"
 #include "io/scan_sequence.hpp"
 #include "program/scan_slot.hpp"
@@ -41,7 +42,9 @@ struct ScanSummary {
   double greatest_elevation_deg = kNoNumber;
   std::string viewpoint_remark{};  ///< As viewpoint_remark() has it.
   std::size_t surplus_bytes = 0;   ///< After the last point of a binary file.
-  std::size_t outside_map = 0;     ///< Beyond the map of the default parameters.
+  std::size_t outside_map = 0;     ///< Beyond a map of `extent_m`.
+  double extent_m = 0.0;           ///< Side of the map, metres.
+  double extent_for_all_m = 0.0;   ///< Side of the least map around the LiDAR that has all points.
   /// As estimate_sensor_height() finds it.
   std::optional<double> sensor_height_m{};
   /// The level ground lies above the LiDAR, and it would be below if y and z changed sign.
@@ -51,8 +54,9 @@ struct ScanSummary {
   [[nodiscard]] std::vector<std::string> remarks() const;
 };
 
-/// Of a scan that was read, its points as the slot's view has them.
-ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot);
+/// Of a scan that was read, its points as the slot's view has them, for a map of that side.
+ScanSummary summary_of(const io::ScanFile& scan, const ScanSlot& slot,
+                       double extent_m = Config{}.map.extent_m);
 
 /// For people, indented lines.
 std::string to_text(const ScanSummary& summary);

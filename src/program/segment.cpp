@@ -138,6 +138,11 @@ class Segmentation {
       throw io::Error({.file = options_.input.path(),
                        .expected = "at least one scan that can be segmented",
                        .got = fmt::format("none; all {} were skipped", record_.skipped())});
+    if (record_.labelled() == 0)
+      throw io::Error({.file = options_.input.path(),
+                       .expected = "points in the map around the LiDAR",
+                       .got = "none in any scan, so that all labels are unknown",
+                       .remedy = "see what `groundgrid info` says of it"});
     if (record_.skipped() > 0)
       spdlog::warn("{} scans were skipped; run.json lists them", record_.skipped());
     spdlog::info("{:.1f} scans a second, with reading and writing", record_.scans_per_second());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -97,8 +98,22 @@ void SequenceRun::announce() const {
     spdlog::warn(
         "{}{} scans have no pose: they are segmented as single scans and are not in the terrain",
         name, record_.notes.without_pose);
+  warn_of_little_ground();
   spdlog::info("{}segmented {} of {} scans{}", name, record_.scans,
                record_.scans + record_.skipped.size(), height);
+}
+
+void SequenceRun::warn_of_little_ground() const {
+  constexpr double kLittle_percent = 1.0;
+  const LabelCounts& counts = record_.counts;
+  const std::size_t labelled = counts.points() - counts.unknown;
+  const double percent = 100.0 * static_cast<double>(counts.ground) /
+                         static_cast<double>(std::max<std::size_t>(labelled, 1));
+  if (labelled > 0 && percent < kLittle_percent)
+    spdlog::warn(
+        "{}: only {:.1f} % of the labelled points are ground: is z up, is the LiDAR level "
+        "(--lidar-rpy-deg), is its height right (--sensor-height-m)?",
+        sequence_.folder.string(), percent);
 }
 
 }  // namespace groundgrid::program

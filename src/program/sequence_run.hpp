@@ -40,6 +40,7 @@ class SequenceRun {
   void keep_written();
   void finish_terrain();
   void announce() const;
+  void warn_of_little_ground() const;
 
   RunContext context_;
   const io::ScanSequence& sequence_;

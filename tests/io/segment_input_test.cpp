@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 
 #include "io/scan_file.hpp"
 #include "segment_fixture.hpp"
@@ -249,17 +250,56 @@ TEST_F(SegmentInput, AnglesOfTheLidarMayBeNegative) {
   EXPECT_EQ(segment_input(plain_scan("a"), "--lidar-rpy-deg 1,2").exit_code, 2);
 }
 
-TEST_F(SegmentInput, WarnsWhereNoPointHasAnAnswer) {
+TEST_F(SegmentInput, FailsIfNoPointOfAnyScanHasALabel) {
   std::vector<float> points(4 * 50, std::nanf(""));
   test::write_numbers(folder / "scans/nan.bin", points);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = i % 8 < 4 ? 1e6F : -INFINITY;
   test::write_numbers(folder / "scans/far.bin", points);
   for (const std::string name : {"nan", "far"}) {
     const ProgramRun run = segment_input(folder / "scans" / (name + ".bin"));
-    ASSERT_EQ(run.exit_code, 0) << run.words;
+    EXPECT_EQ(run.exit_code, 1) << run.words;
     EXPECT_TRUE(contains(run.words, "none of its 50 points has a label"));
+    EXPECT_TRUE(contains(run.words, "none in any scan, so that all labels are unknown"));
     EXPECT_EQ(labels(name), std::string(200, '\0'));
+    EXPECT_FALSE(fs::exists(output() / "run.json"));
   }
+  // One scan that can be labelled is something.
+  (void)plain_scan("good");
+  EXPECT_EQ(segment_input(folder / "scans").exit_code, 0);
+}
+
+/// The street with other coordinates.
+std::vector<float> changed_street(const std::function<void(float*)>& change) {
+  std::vector<float> points = test::SyntheticScan().points;
+  for (std::size_t i = 0; i < points.size(); i += 4) change(&points[i]);
+  return points;
+}
+
+TEST_F(SegmentInput, SaysOnceWhatCannotBeRightInTheFirstScan) {
+  struct Wrong {
+    std::function<void(float*)> change;
+    std::string words;
+  };
+  const auto times = [](float factor) {
+    return [factor](float* p) { std::for_each(p, p + 3, [=](float& c) { c *= factor; }); };
+  };
+  for (const auto& [change, words] :
+       {Wrong{[](float* p) { p[1] = -p[1], p[2] = -p[2]; }, "z looks flipped"},
+        Wrong{times(1e-3F), "Half of the points are nearer than"},
+        Wrong{times(1e3F), "All points are outside of the map"},
+        Wrong{times(12.0F), "get no label: are coordinates metres? Then --extent-m "}}) {
+    for (const std::string name : {"0", "1"})
+      test::write_numbers(folder / "scans" / (name + ".bin"), changed_street(change));
+    const ProgramRun run = segment_input(folder / "scans");
+    const std::size_t at = run.words.find(words);
+    EXPECT_NE(at, std::string::npos) << words << "\n" << run.words;
+    EXPECT_EQ(run.words.find(words, at + 1), std::string::npos) << run.words;
+  }
+}
+
+TEST_F(SegmentInput, SaysNothingOfAScanThatIsRight) {
+  const ProgramRun run = segment_input(plain_scan("a"));
+  EXPECT_FALSE(contains(run.words, "warning")) << run.words;
 }
 
 TEST_F(SegmentInput, NeverOverwritesAScanWithItsLabels) {
