@@ -37,8 +37,9 @@ bool contradicts_map(const BinnedPoints& bins, const ScanGrid& grid, const Eleva
   if (map.blank()) return false;
   const Comparison cells = compare(grid, map);
   const auto most = static_cast<double>(std::max(cells.above, cells.below));
-  if (cells.known >= kComparedCells && most > kContradicting * static_cast<double>(cells.known))
-    return true;
+  if (cells.known >= kComparedCells)
+    return most > kContradicting * static_cast<double>(cells.known);
+  // Few cells are left if the points have sunk below the map and are outliers to it.
   std::size_t outliers = 0;
   std::size_t points = 0;
   for (const std::uint32_t cell : bins.cell) {
