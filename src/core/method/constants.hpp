@@ -18,7 +18,7 @@ inline constexpr double kRayConfidence = 8.0;  ///< Sum over 5 × 5 cells.
 // A scan contradicts the map if more than this share of the flat cells, in what the map knows well,
 // lies above it by more than an offset, or below it. No load or bump lifts a vehicle as far; a roof
 // or a crowd covers fewer cells.
-inline constexpr float kFlatColumn_m = 0.2F;
+inline constexpr double kFlatColumn_m = 0.2;
 inline constexpr float kMapOffset_m = 0.25F;
 inline constexpr double kContradicting = 0.5;
 inline constexpr std::size_t kComparedCells = 100;
